@@ -1,0 +1,1 @@
+# Placeholder of the install rules, replaced with the package's own.

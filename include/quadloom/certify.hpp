@@ -1,0 +1,89 @@
+// The independent check, and the quality figures.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadloom/core.hpp"
+
+namespace quadloom {
+
+struct CertifyOptions {
+  std::size_t corners = 4;  // of every face but the allowed triangles
+  std::size_t triangles_allowed = 0;
+  std::size_t steiner_at_most = std::numeric_limits<std::size_t>::max();
+  bool steiner_inside = false;   // no Steiner point on the boundary
+  bool strictly_convex = false;  // every face of `corners` corners turns strictly left everywhere
+};
+
+/// What is wrong with a mesh; kNoFault if nothing is.
+enum class Fault {
+  kNoFault,
+  kNoFaces,
+  kIndexOutOfRange,
+  kRepeatedCorner,
+  kCornerCount,
+  kNotSimple,  ///< not a simple counter-clockwise polygon of positive area
+  kNotStrictlyConvex,
+  kRepeatedEdge,    ///< a directed edge in two faces
+  kRepeatedVertex,  ///< two used vertices at the same place
+  kMissingPoint,    ///< an input point that is no vertex of a face
+  kBoundary,        ///< boundary not one simple, weakly convex cycle that goes around once
+  kTooManyTriangles,
+  kTooManySteiner,
+  kSteinerOnBoundary,
+};
+
+/// The verdict with its figures (counted up to the fault) and, for a fault, a sentence and the
+/// culprits (faces for face faults, vertices for vertex and edge faults, input indices for missing
+/// points).
+struct Certificate {
+  Fault fault = Fault::kNoFault;
+  std::string sentence;
+  std::vector<std::size_t> culprits;
+
+  std::size_t points = 0;  ///< distinct input points
+  std::size_t faces = 0;
+  std::size_t triangles = 0;
+  std::size_t boundary = 0;  ///< vertices on the boundary cycle
+  std::size_t steiner = 0;
+  std::size_t strictly_convex = 0;  ///< of the faces with `corners` corners; so the next two
+  std::size_t flat_cornered = 0;
+  std::size_t non_convex = 0;
+
+  bool ok() const { return fault == Fault::kNoFault; }
+};
+
+/// Proves from the faces alone, exactly, that the mesh tiles the convex region within its boundary
+/// once and that every input point is a vertex of it (see docs/algorithms/certify.md). An empty
+/// input asks for no points: every used vertex then counts as an input point.
+Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
+                           const CertifyOptions& options = {});
+
+/// Shape figures of a mesh. Angles in degrees.
+struct Quality {
+  std::size_t quads = 0;
+  std::size_t triangles = 0;
+  std::size_t other_faces = 0;
+  std::size_t strictly_convex = 0;  ///< of the quads; decided exactly
+  std::size_t flat_cornered = 0;
+  std::size_t non_convex = 0;
+  double min_angle = 0;  ///< over all corners of all faces
+  double max_angle = 0;
+  std::array<std::size_t, 36> angle_histogram =
+      {};                 ///< corners by angle, 10 degrees a bin, [0, 360)
+  double mean_shape = 0;  ///< quad_shape over the quads
+  double min_shape = 0;
+  std::array<std::size_t, 10> shape_histogram = {};
+  double max_aspect = 0;  ///< longest over shortest edge of a quad
+  double median_aspect = 0;
+  double min_edge = 0;
+  double max_edge = 0;
+  double mean_edge = 0;
+};
+Quality measure_quality(const PolygonMesh& mesh);
+
+}  // namespace quadloom

@@ -1,0 +1,89 @@
+// Exact predicates and the constructions on them: hull, convex layers, spiral, Delaunay.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "quadloom/core.hpp"
+
+namespace quadloom {
+
+// ---- Predicates: the exact sign (-1, 0, +1) of a determinant of the given finite doubles. ----
+
+/// +1 if a, b, c turn left (counter-clockwise), -1 if right, 0 if they are collinear.
+int orient2d(Point a, Point b, Point c);
+
+/// For a, b, c counter-clockwise: +1 if d is inside their circle, -1 if outside, 0 if on it. For a,
+/// b, c clockwise the sign is the opposite.
+int incircle(Point a, Point b, Point c, Point d);
+
+/// The sign of (b - a) x (d - c): +1 if the direction c->d is counter-clockwise of a->b (by less
+/// than half a turn), 0 if they are parallel, equal or opposite.
+int cross_sign(Point a, Point b, Point c, Point d);
+
+/// The sign of (b - a) . (d - c): +1 if the directions make an acute angle, 0 a right one, -1
+/// obtuse.
+int dot_sign(Point a, Point b, Point c, Point d);
+
+// ---- Shape: figures for ranking, in plain floating point; no decision rests on them. ----
+
+/// The shape of a counter-clockwise quad: 1 - (2/pi) max |pi/2 - angle| over its corners, 1 for a
+/// rectangle, 0 for one that is not strictly convex (Remacle et al., Blossom-Quad).
+double quad_shape(Point a, Point b, Point c, Point d);
+
+// ---- The input at the public door. ----
+
+/// Distinct points in the order of their first occurrence; input_to_vertex[i] is where input i
+/// went.
+struct DistinctPoints {
+  std::vector<Point> points;
+  std::vector<VertexId> input_to_vertex;
+};
+
+/// Throws Error kNotFinite (the first culprit) and kTooManyPoints. O(n log n).
+DistinctPoints distinct_points(std::span<const Point> input);
+
+/// A permutation of the points along a Hilbert curve; equal points are neighbours, ordered by
+/// index. The same on every platform. O(n) in practice.
+std::vector<VertexId> spatial_order(std::span<const Point> points);
+
+// ---- Hull, layers, spiral. Points must be finite and distinct. ----
+
+/// The convex hull, counter-clockwise from the lexicographically smallest point, every point on a
+/// hull edge included. If all points lie on one line: the points in order along it. O(n log n).
+std::vector<VertexId> convex_hull(std::span<const Point> points);
+
+/// Convex layers from the outside in: layer i is vertex[begin[i] .. begin[i + 1]), each as
+/// convex_hull gives it. The last layer may be one point or a segment's points in order.
+struct ConvexLayers {
+  std::vector<VertexId> vertex;
+  std::vector<std::uint32_t> begin = {0};
+
+  std::size_t count() const { return begin.size() - 1; }
+  std::span<const VertexId> layer(std::size_t i) const {
+    return {vertex.data() + begin[i], vertex.data() + begin[i + 1]};
+  }
+};
+ConvexLayers convex_layers(std::span<const Point> points);
+
+/// The convex spiral (Bose and Toussaint, section 4): every point once, from `start` (a corner of
+/// the hull; kNone: the lexicographically smallest point) clockwise around the hull and on inwards,
+/// collinear points in order. O(n log n).
+std::vector<VertexId> convex_spiral(std::span<const Point> points, VertexId start = kNone);
+std::vector<VertexId> convex_spiral(std::span<const Point> points, const ConvexLayers& layers,
+                                    VertexId start = kNone);
+
+// ---- Delaunay. ----
+
+struct DelaunayResult {
+  Triangulation mesh;  ///< over the distinct points, in the order of first occurrence
+  std::vector<VertexId> input_to_vertex;  ///< duplicates merged
+};
+
+/// The Delaunay triangulation, exact. Cocircular points are triangulated the same way whatever the
+/// input order (in the lattice's squares all diagonals are parallel). Its boundary is the hull with
+/// every collinear point. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints.
+/// O(n log n) expected.
+DelaunayResult delaunay(std::span<const Point> input);
+
+}  // namespace quadloom

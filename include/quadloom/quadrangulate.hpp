@@ -1,0 +1,103 @@
+// Point sets to quadrilaterals.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quadloom/core.hpp"
+
+namespace quadloom {
+
+/// How a point set becomes quads.
+enum class PointMethod {
+  kDelaunay,   ///< Delaunay-shaped: pairs by shape, left-over triangles walked together (the
+               ///< default)
+  kSpiral,     ///< Bose and Toussaint's spiraling rotating calipers: long thin quads, no flips
+  kInsertion,  ///< Bose and Toussaint's sequential insertion
+  kSubdivide,  ///< de Berg's conversion: every Delaunay triangle into three, all strictly convex
+};
+
+/// What to do when an odd number of points lies on the hull, so that no mesh of quads alone exists.
+enum class OddBoundary {
+  kOutside,   ///< one Steiner point just outside the hull; on a hull edge where outside is
+              ///< impossible
+  kOnEdge,    ///< one Steiner point on a hull edge (its quad has a flat corner there)
+  kTriangle,  ///< no point: one triangle stays
+};
+
+enum class SteinerKind { kOutside, kOnEdge, kInner };
+
+/// An added point: the vertex, where it lies, and the vertices it was made from (an edge's ends or
+/// a triangle's corners; kNone where there are fewer than three), from which attributes can be
+/// interpolated.
+struct SteinerPoint {
+  VertexId vertex = kNone;
+  SteinerKind kind = SteinerKind::kInner;
+  std::array<VertexId, 3> parents = {kNone, kNone, kNone};
+};
+
+struct PointOptions {
+  PointMethod method = PointMethod::kDelaunay;       // the best shapes
+  OddBoundary odd_boundary = OddBoundary::kOutside;  // all quads, none with a flat corner
+  std::uint64_t seed = 1;                            // order of insertion; same seed, same mesh
+  Progress progress = {};
+};
+
+/// What a run did, for reports; a count that a method does not have is 0.
+struct PointStatistics {
+  std::size_t hull_points = 0;       ///< points on the hull, those inside its edges included
+  std::size_t unmatched_greedy = 0;  ///< triangles left over by the pairing
+  std::size_t walks = 0;       ///< walks that merged two left-over triangles (or reached the hull)
+  std::size_t walk_steps = 0;  ///< pentagons re-cut by these walks
+  bool fell_back_to_spiral =
+      false;  ///< the method asked for could not finish; the mesh is the spiral's
+};
+
+struct PointResult {
+  Quadrangulation mesh;                   ///< distinct input points first, then Steiner points
+  std::vector<VertexId> input_to_vertex;  ///< one per input point, duplicates merged
+  std::size_t input_vertices = 0;  ///< distinct input points = vertices that are no Steiner points
+  std::vector<SteinerPoint> steiner;
+  PointStatistics statistics;
+};
+
+/// A quadrangulation of a point set: every point a vertex, all faces simple quads that tile the
+/// convex hull.
+///
+/// Guarantee (Bose and Toussaint, theorems 3.1, 4.2, 4.3): no Steiner point if the number of points
+/// on the hull is even; if odd one, or one triangle, as `odd_boundary` says (kSubdivide: 3 quads a
+/// triangle, one point an edge and one a triangle). Collinear, repeated and cocircular points are
+/// welcome. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled;
+/// kGuarantee if the odd point has no place among the doubles.
+PointResult quadrangulate_points(std::span<const Point> input, const PointOptions& options = {});
+
+/// True if and only if the set has a quadrangulation without Steiner points: the number of points
+/// on its hull is even (theorem 3.1) and they are not all collinear. Duplicates count once. O(n log
+/// n).
+bool has_quadrangulation(std::span<const Point> input);
+
+/// The serpentine triangulation of the convex spiral (Bose and Toussaint, lemma 4.1): triangles in
+/// the order of the dual path, consecutive ones share an edge; the first one has the hull edge from
+/// the spiral's start to its clockwise end.
+struct SerpentineResult {
+  Triangulation mesh;
+  std::vector<VertexId> spiral;           ///< all vertices in the order of the spiral
+  std::vector<VertexId> input_to_vertex;  ///< duplicates merged
+};
+SerpentineResult serpentine_triangulation(std::span<const Point> input);
+
+struct KAngulationResult {
+  PolygonMesh mesh;  ///< every face has k corners
+  std::vector<VertexId> input_to_vertex;
+  std::size_t input_vertices = 0;
+  std::vector<SteinerPoint> steiner;  ///< at most k - 3
+};
+
+/// A mesh of simple k-gons (Bose and Toussaint, corollary 4.1), k >= 4, at most k - 3 Steiner
+/// points. Throws as quadrangulate_points; kBadOption for k < 4.
+KAngulationResult k_angulate_points(std::span<const Point> input, std::size_t k,
+                                    const PointOptions& options = {});
+
+}  // namespace quadloom

@@ -1,0 +1,1 @@
+// Files and pictures: see include/quadloom/io.hpp.
