@@ -10,10 +10,13 @@
 
 namespace quadloom {
 
+/// One kind of point set. `make` wants n >= min_points and gives n points or as near to n as the
+/// kind allows, never all on one line; the same n and seed give the same doubles on every platform.
 struct Generator {
   std::string_view name;
-  std::string_view what;  ///< one line for a help text
-  std::vector<Point> (*make)(std::size_t n, std::uint64_t seed);
+  std::string_view what;       ///< one line for a help text
+  std::size_t min_points = 3;  ///< the least n
+  std::vector<Point> (*make)(std::size_t n, std::uint64_t seed) = nullptr;
 };
 
 /// All generators, in the order of a help text.
