@@ -2,6 +2,7 @@
 // exponents.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
