@@ -26,6 +26,7 @@ enum class Fault {
   kIndexOutOfRange,
   kRepeatedCorner,
   kCornerCount,
+  kNotFinite,  ///< a used vertex with a NaN or infinite coordinate
   kNotSimple,  ///< not a simple counter-clockwise polygon of positive area
   kNotStrictlyConvex,
   kRepeatedEdge,    ///< a directed edge in two faces
@@ -45,7 +46,7 @@ struct Certificate {
   std::string sentence;
   std::vector<std::size_t> culprits;
 
-  std::size_t points = 0;  ///< distinct input points
+  std::size_t points = 0;  ///< distinct input points that are vertices
   std::size_t faces = 0;
   std::size_t triangles = 0;
   std::size_t boundary = 0;  ///< vertices on the boundary cycle
@@ -59,7 +60,9 @@ struct Certificate {
 
 /// Proves from the faces alone, exactly, that the mesh tiles the convex region within its boundary
 /// once and that every input point is a vertex of it (see docs/algorithms/certify.md). An empty
-/// input asks for no points: every used vertex then counts as an input point.
+/// input asks for no points: every used vertex then counts as an input point. Vertices that no face
+/// uses are not looked at. The first fault found is reported. Throws Error kBadOption for fewer
+/// than three corners. Near-linear.
 Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
                            const CertifyOptions& options = {});
 

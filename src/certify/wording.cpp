@@ -1,0 +1,44 @@
+#include "certify/wording.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace quadloom::certify {
+namespace {
+
+constexpr std::size_t kMostNamed = 8;
+
+std::string number_text(double v) {
+  std::array<char, 40> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), v).ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::string point_text(Point p) {
+  std::string out = "(";
+  out += number_text(p.x);
+  out += ", ";
+  out += number_text(p.y);
+  return out += ')';
+}
+
+std::string vertex_text(const PolygonMesh& mesh, std::size_t v) {
+  std::string out = "vertex ";
+  out += std::to_string(v);
+  out += ' ';
+  return out += point_text(mesh.points[v]);
+}
+
+std::string face_text(const PolygonMesh& mesh, std::size_t f) {
+  const auto corners = mesh.face(f);
+  std::string out = "face " + std::to_string(f) + " (vertices";
+  for (const VertexId v : corners.first(std::min(kMostNamed, corners.size()))) {
+    out += ' ';
+    out += std::to_string(v);
+  }
+  return out + (corners.size() > kMostNamed ? " ...)" : ")");
+}
+
+}  // namespace quadloom::certify
