@@ -1,0 +1,78 @@
+// The input at the public door: checked, and equal points merged. A spatial order has equal points
+// next to each other, the first occurrence in front.
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "kernel/input_points.hpp"
+#include "quadloom/kernel.hpp"
+
+namespace quadloom {
+namespace kernel {
+namespace {
+
+bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+}  // namespace
+
+void check_points(std::span<const Point> input, std::size_t limit) {
+  if (input.size() > limit) {
+    throw Error(ErrorCode::kTooManyPoints,
+                std::to_string(input.size()) + " points are more than the " +
+                    std::to_string(limit) + " that 32-bit indices allow");
+  }
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    if (!is_finite(input[i])) {
+      throw Error(ErrorCode::kNotFinite,
+                  "point " + std::to_string(i) + " has a coordinate that is not a finite number",
+                  {i});
+    }
+  }
+}
+
+std::size_t number_distinct(std::span<const Point> input, std::span<const VertexId> order,
+                            std::vector<VertexId>& input_to_vertex) {
+  input_to_vertex.resize(input.size());
+  std::iota(input_to_vertex.begin(), input_to_vertex.end(), VertexId{0});
+  bool repeated = false;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (input[order[i]] == input[order[i - 1]]) {
+      input_to_vertex[order[i]] = input_to_vertex[order[i - 1]];  // the first occurrence
+      repeated = true;
+    }
+  }
+  if (!repeated) return input.size();
+  VertexId count = 0;
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const VertexId first = input_to_vertex[i];
+    input_to_vertex[i] = first == i ? count++ : input_to_vertex[first];
+  }
+  return count;
+}
+
+std::vector<Point> points_by_number(std::span<const Point> input,
+                                    std::span<const VertexId> input_to_vertex, std::size_t count) {
+  std::vector<Point> points;
+  if (count == input.size()) {
+    points.assign(input.begin(), input.end());
+    return points;
+  }
+  points.reserve(count);
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    if (input_to_vertex[i] == points.size()) points.push_back(input[i]);
+  }
+  return points;
+}
+
+}  // namespace kernel
+
+DistinctPoints distinct_points(std::span<const Point> input) {
+  kernel::check_points(input, kMaxPoints);
+  DistinctPoints out;
+  const std::size_t count =
+      kernel::number_distinct(input, spatial_order(input), out.input_to_vertex);
+  out.points = kernel::points_by_number(input, out.input_to_vertex, count);
+  return out;
+}
+
+}  // namespace quadloom
