@@ -14,7 +14,7 @@ function(quadloom_configure_target target)
   endif()
   # A fused multiply-add rounds once where the proofs of the predicates count two roundings.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                           $<$<BOOL:${QUADLOOM_WERROR}>:-Werror>)
+                                           -Wno-sign-conversion $<$<BOOL:${QUADLOOM_WERROR}>:-Werror>)
   if(QUADLOOM_SANITIZE)
     # A shape that divides by zero is an infinity that ranks last: defined by IEEE 754.
     target_compile_options(

@@ -92,7 +92,7 @@ TEST(CertifyMutation, FaceDuplicated) {
   const auto damage = [](Subject& s) {
     std::array<VertexId, 4> copy;
     std::copy_n(s.corners(s.any_face()), 4, copy.begin());
-    std::ranges::rotate(copy, copy.begin() + s.below(4));
+    std::rotate(copy.begin(), copy.begin() + s.below(4), copy.end());
     s.mesh.add_face(copy);
   };
   expect_caught(damage, {Fault::kRepeatedEdge});
