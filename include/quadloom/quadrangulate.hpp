@@ -51,6 +51,7 @@ struct PointStatistics {
   std::size_t unmatched_greedy = 0;  ///< triangles left over by the pairing
   std::size_t walks = 0;       ///< walks that merged two left-over triangles (or reached the hull)
   std::size_t walk_steps = 0;  ///< pentagons re-cut by these walks
+  std::size_t slides = 0;      ///< edges slid between two quads to improve their shapes
   bool fell_back_to_spiral =
       false;  ///< the method asked for could not finish; the mesh is the spiral's
 };

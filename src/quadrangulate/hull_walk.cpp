@@ -1,0 +1,71 @@
+#include "quadrangulate/hull_walk.hpp"
+
+#include "kernel/squareness.hpp"
+#include "quadrangulate/odd_boundary.hpp"
+
+namespace quadloom::quadrangulate {
+
+HullOfMesh::HullOfMesh(const Triangulation& mesh)
+    : before_(mesh.points.size(), kNone), after_(mesh.points.size(), kNone) {
+  for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
+    if (mesh.twin[h] != kNone) continue;
+    after_[mesh.origin(h)] = mesh.target(h);
+    before_[mesh.target(h)] = mesh.origin(h);
+    ++size_;
+  }
+}
+
+namespace {
+
+// A good place is worth a walk of some steps.
+int shape_cost(Point a, Point s, Point b, Point c) {
+  return static_cast<int>(20 * (1 - kernel::squareness(a, s, b, c)));
+}
+
+/// The free triangles that have a hull vertex: most often one of them is next to a good hull edge
+/// already.
+std::vector<TriangleId> near_hull(const PairedMesh& mesh, const HullOfMesh& hull,
+                                  std::span<const TriangleId> free) {
+  std::vector<TriangleId> near;
+  for (const TriangleId t : free) {
+    const VertexId* v = &mesh.tri.tri_vertex[3 * t];
+    if (hull.has(v[0]) || hull.has(v[1]) || hull.has(v[2])) near.push_back(t);
+  }
+  return near;
+}
+
+}  // namespace
+
+std::optional<SteinerPoint> walk_to_hull(PairedMesh& mesh, Walker& walker, const HullOfMesh& hull,
+                                         std::span<const TriangleId> free, OddBoundary wish) {
+  const auto place_at = [&](VertexId a, VertexId b, OddBoundary kind) {
+    return place_odd_point(mesh.point(hull.before(a)), mesh.point(a), mesh.point(b),
+                           mesh.point(hull.after(b)), kind);
+  };
+  const SteinerKind wished =
+      wish == OddBoundary::kOutside ? SteinerKind::kOutside : SteinerKind::kOnEdge;
+  const std::vector<TriangleId> near = near_hull(mesh, hull, free);
+  const std::pair<std::span<const TriangleId>, WalkQuads> tries[] = {
+      {near, WalkQuads::kStrictlyConvex},
+      {free, WalkQuads::kStrictlyConvex},
+      {free, WalkQuads::kAny},
+  };
+  for (const bool other_kind : {false, true}) {
+    const Walker::BoundaryCost cost = [&](VertexId a, VertexId b, VertexId c) {
+      const auto place = place_at(a, b, wish);
+      if (!place || (place->kind != wished) != other_kind) return -1;
+      return shape_cost(mesh.point(a), place->place, mesh.point(b), mesh.point(c));
+    };
+    for (const auto& [starts, quads] : tries) {
+      const HalfedgeId edge = walker.reach_boundary(starts, cost, {quads});
+      if (edge == kNone) continue;
+      const VertexId a = mesh.tri.origin(edge), b = mesh.tri.target(edge);
+      const auto place = place_at(a, b, wish);
+      return SteinerPoint{
+          attach_boundary_point(mesh, edge, place->place), place->kind, {a, b, kNone}};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace quadloom::quadrangulate

@@ -1,0 +1,148 @@
+#include "quadrangulate/paired_mesh.hpp"
+
+#include "quadloom/kernel.hpp"
+
+namespace quadloom::quadrangulate {
+
+QuadKind classify_quad(Point a, Point b, Point c, Point d) {
+  const int at_a = orient2d(d, a, b), at_b = orient2d(a, b, c);
+  const int at_c = orient2d(b, c, d), at_d = orient2d(c, d, a);
+  // Split along one of the diagonals, both triangles must be counter-clockwise.
+  if (!((at_b > 0 && at_d > 0) || (at_a > 0 && at_c > 0))) return QuadKind::kNotSimple;
+  if (at_a < 0 || at_b < 0 || at_c < 0 || at_d < 0) return QuadKind::kNonConvex;
+  if (at_a == 0 || at_b == 0 || at_c == 0 || at_d == 0) return QuadKind::kFlatCorner;
+  return QuadKind::kStrictlyConvex;
+}
+
+bool split_by_first_diagonal(Point a, Point b, Point c, Point d) {
+  return orient2d(a, b, c) > 0 && orient2d(a, c, d) > 0;
+}
+
+QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter) {
+  const TriangleId near = triangle_of(enter);
+  const HalfedgeId inside = mesh.mate[near], beyond = mesh.tri.twin[inside];
+  const HalfedgeId far_first = next_halfedge(beyond), far_second = previous_halfedge(beyond);
+  if (inside == next_halfedge(enter)) {
+    return {{far_first, far_second, previous_halfedge(enter)}, near, triangle_of(beyond)};
+  }
+  return {{next_halfedge(enter), far_first, far_second}, near, triangle_of(beyond)};
+}
+
+namespace {
+
+struct Pentagon {
+  std::array<VertexId, 5> corner;
+  std::array<HalfedgeId, 5> inner;  // of edge k, in the three triangles
+};
+
+Pentagon pentagon_at(const PairedMesh& mesh, HalfedgeId enter, const QuadBehind& quad) {
+  const HalfedgeId shared = mesh.tri.twin[enter];
+  Pentagon pentagon{
+      {},
+      {next_halfedge(shared), previous_halfedge(shared), quad.side[0], quad.side[1], quad.side[2]}};
+  for (std::size_t k = 0; k < 5; ++k) pentagon.corner[k] = mesh.tri.origin(pentagon.inner[k]);
+  return pentagon;
+}
+
+/// The quad wraps around the free triangle: all three triangles meet in an inner corner, only the
+/// pairing changes.
+std::array<TriangleId, 3> turn_wheel(PairedMesh& mesh, TriangleId old_free, TriangleId new_free,
+                                     TriangleId other) {
+  mesh.unpair(new_free);
+  for (HalfedgeId h = 3 * other; h < 3 * other + 3; ++h) {
+    if (mesh.tri.twin[h] != kNone && triangle_of(mesh.tri.twin[h]) == old_free) mesh.pair(h);
+  }
+  return {new_free, other, old_free};
+}
+
+}  // namespace
+
+std::array<TriangleId, 3> recut_pentagon(PairedMesh& mesh, HalfedgeId enter, int ear) {
+  const QuadBehind quad = quad_behind(mesh, enter);
+  const TriangleId free = triangle_of(mesh.tri.twin[enter]), near = quad.near, far = quad.far;
+  const Pentagon pentagon = pentagon_at(mesh, enter, quad);
+  if (ear >= kWheel) {
+    const bool to_near =
+        triangle_of(pentagon.inner[static_cast<std::size_t>(ear - kWheel)]) == near;
+    return turn_wheel(mesh, free, to_near ? near : far, to_near ? far : near);
+  }
+
+  // Turn the names so that the ear is at p[0] and the quad left is p[1], p[2], p[3], p[4].
+  std::array<VertexId, 5> p;
+  std::array<HalfedgeId, 5> outer;  // across the edge from p[k] to p[k + 1]
+  for (std::size_t k = 0; k < 5; ++k) {
+    const std::size_t from = (static_cast<std::size_t>(ear) + k) % 5;
+    p[k] = pentagon.corner[from];
+    outer[k] = mesh.tri.twin[pentagon.inner[from]];
+  }
+  mesh.set_triangle(free, p[4], p[0], p[1]);
+  mesh.link(3 * free, outer[4]);
+  mesh.link(3 * free + 1, outer[0]);
+  if (split_by_first_diagonal(mesh.point(p[1]), mesh.point(p[2]), mesh.point(p[3]),
+                              mesh.point(p[4]))) {
+    mesh.set_triangle(near, p[1], p[2], p[3]);
+    mesh.set_triangle(far, p[3], p[4], p[1]);
+    mesh.link(3 * near, outer[1]);
+    mesh.link(3 * near + 1, outer[2]);
+    mesh.link(3 * far, outer[3]);
+    mesh.link(3 * far + 1, 3 * free + 2);
+  } else {
+    mesh.set_triangle(near, p[2], p[3], p[4]);
+    mesh.set_triangle(far, p[4], p[1], p[2]);
+    mesh.link(3 * near, outer[2]);
+    mesh.link(3 * near + 1, outer[3]);
+    mesh.link(3 * far, 3 * free + 2);
+    mesh.link(3 * far + 1, outer[1]);
+  }
+  mesh.link(3 * near + 2, 3 * far + 2);
+  mesh.mate[free] = kNone;
+  mesh.pair(3 * near + 2);
+  return {free, near, far};
+}
+
+VertexId attach_boundary_point(PairedMesh& mesh, HalfedgeId boundary, Point place) {
+  const VertexId a = mesh.tri.origin(boundary), b = mesh.tri.target(boundary);
+  const VertexId c = mesh.tri.apex(boundary);
+  const auto s = static_cast<VertexId>(mesh.tri.points.size());
+  const TriangleId t = triangle_of(boundary), added = static_cast<TriangleId>(mesh.mate.size());
+  mesh.tri.points.push_back(place);
+  mesh.tri.tri_vertex.resize(3 * added + 3);
+  mesh.tri.twin.resize(3 * added + 3, kNone);
+  mesh.mate.push_back(kNone);
+  if (orient2d(mesh.point(a), mesh.point(b), place) < 0) {
+    mesh.set_triangle(added, b, a, s);
+    mesh.link(boundary, 3 * added);
+    mesh.pair(boundary);
+  } else {
+    const HalfedgeId beyond_bc = mesh.tri.twin[next_halfedge(boundary)];
+    const HalfedgeId beyond_ca = mesh.tri.twin[previous_halfedge(boundary)];
+    mesh.set_triangle(t, a, s, c);
+    mesh.set_triangle(added, s, b, c);
+    mesh.link(3 * t, kNone);
+    mesh.link(3 * t + 2, beyond_ca);
+    mesh.link(3 * added + 1, beyond_bc);
+    mesh.link(3 * t + 1, 3 * added + 2);
+    mesh.pair(3 * t + 1);
+  }
+  return s;
+}
+
+Quadrangulation to_quadrangulation(const PairedMesh& mesh) {
+  Quadrangulation out;
+  out.points = mesh.tri.points;
+  out.quad_vertex.reserve(2 * mesh.mate.size());
+  for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
+    const HalfedgeId h = mesh.mate[t];
+    if (h == kNone) {
+      for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) out.tri_vertex.push_back(mesh.tri.origin(g));
+    } else if (h < mesh.tri.twin[h]) {
+      for (const VertexId v : {mesh.tri.origin(h), mesh.tri.apex(mesh.tri.twin[h]),
+                               mesh.tri.target(h), mesh.tri.apex(h)}) {
+        out.quad_vertex.push_back(v);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace quadloom::quadrangulate

@@ -1,0 +1,91 @@
+// A triangulation with some of its triangles paired into quads, and the local operations on it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "quadloom/core.hpp"
+
+namespace quadloom::quadrangulate {
+
+/// mate[t] is the halfedge of t inside its quad, kNone for a free triangle.
+struct PairedMesh {
+  Triangulation tri;
+  std::vector<HalfedgeId> mate;
+
+  bool is_free(TriangleId t) const { return mate[t] == kNone; }
+  Point point(VertexId v) const { return tri.points[v]; }
+
+  /// Makes the two triangles at h one quad.
+  void pair(HalfedgeId h) {
+    mate[triangle_of(h)] = h;
+    mate[triangle_of(tri.twin[h])] = tri.twin[h];
+  }
+  /// Frees both triangles of t's quad.
+  void unpair(TriangleId t) {
+    mate[triangle_of(tri.twin[mate[t]])] = kNone;
+    mate[t] = kNone;
+  }
+  /// Makes two halfedges each other's twin; either may be kNone.
+  void link(HalfedgeId g, HalfedgeId h) {
+    if (g != kNone) tri.twin[g] = h;
+    if (h != kNone) tri.twin[h] = g;
+  }
+  void set_triangle(TriangleId t, VertexId a, VertexId b, VertexId c) {
+    tri.tri_vertex[3 * t] = a;
+    tri.tri_vertex[3 * t + 1] = b;
+    tri.tri_vertex[3 * t + 2] = c;
+  }
+};
+
+/// Whether four corners in order are a simple counter-clockwise quad, and how its corners turn.
+enum class QuadKind : std::uint8_t { kNotSimple, kNonConvex, kFlatCorner, kStrictlyConvex };
+QuadKind classify_quad(Point a, Point b, Point c, Point d);
+
+/// Whether the diagonal a-c parts a simple quad into two counter-clockwise triangles; else b-d
+/// does.
+bool split_by_first_diagonal(Point a, Point b, Point c, Point d);
+
+/// The quad behind one of its sides.
+///
+///     e ---- d        enter is b->a, a side of the quad b, a, d, e; the other sides are a->d,
+///     d->e, e->b, |  Q   |        each given by its halfedge in the quad. b ---> a
+struct QuadBehind {
+  std::array<HalfedgeId, 3> side;
+  TriangleId near = kNone;  // the triangle of `enter`
+  TriangleId far = kNone;
+};
+QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter);
+
+/// A free triangle a, b, c beside the quad b, a, d, e, seen as the pentagon b, c, a, d, e.
+/// Re-cutting it moves the free triangle to another ear, or, where c is d or e (the quad wraps
+/// around the triangle: they share two edges, and a or b is an inner corner of degree 2), to
+/// another of the three triangles about that corner.
+///
+///         c
+///       /   .
+///     a ----- b          corner 0 = b, 1 = c, 2 = a, 3 = d, 4 = e; edge k goes from corner k to k
+///     + 1 |   Q   | d ----- e
+///
+/// Ears are named by their corner, 0, 2, 3, 4; kWheel + k names the triangle at edge k of a wrapped
+/// one.
+inline constexpr int kWheel = 5;
+
+/// Moves the free triangle at the twin of `enter` to `ear` of the pentagon. Touches three
+/// triangles, which are returned, the free one first; their outer neighbours keep their halfedges.
+std::array<TriangleId, 3> recut_pentagon(PairedMesh& mesh, HalfedgeId enter, int ear);
+
+/// A new vertex at `place`, outside the boundary edge a->b of the free triangle or exactly on it,
+/// turns that triangle into the quad a, s, b, c. Returns the new vertex.
+///
+///        c                   c
+///      /   .               / | .
+///     a --- b     or      a--s--b
+///      .   /
+///        s
+VertexId attach_boundary_point(PairedMesh& mesh, HalfedgeId boundary, Point place);
+
+/// The quads and the free triangles, in the order of the triangles.
+Quadrangulation to_quadrangulation(const PairedMesh& mesh);
+
+}  // namespace quadloom::quadrangulate

@@ -1,0 +1,202 @@
+#include "quadrangulate/walk.hpp"
+
+#include <algorithm>
+
+#include "kernel/squareness.hpp"
+#include "quadloom/kernel.hpp"
+
+namespace quadloom::quadrangulate {
+namespace {
+
+constexpr std::uint32_t kForbidden = 0xffffffffU;
+
+// A quad left behind costs a step and its lack of shape; one that is not strictly convex as much as
+// a detour of some ten good ones.
+std::uint32_t quad_cost(Point a, Point b, Point c, Point d, WalkQuads allowed) {
+  switch (classify_quad(a, b, c, d)) {
+    case QuadKind::kStrictlyConvex:
+      return 2 + static_cast<std::uint32_t>(8 * (1 - kernel::squareness(a, b, c, d)));
+    case QuadKind::kFlatCorner:
+      return allowed == WalkQuads::kAny ? 60 : kForbidden;
+    case QuadKind::kNonConvex:
+      return allowed == WalkQuads::kAny ? 80 : kForbidden;
+    case QuadKind::kNotSimple:
+      break;
+  }
+  return kForbidden;
+}
+
+constexpr std::uint32_t kWheelCost = 80;  // its quad has a reflex corner
+
+}  // namespace
+
+bool Walker::merge(TriangleId start, const WalkLimits& limits) {
+  const std::uint32_t end = search({&start, 1}, nullptr, limits);
+  if (end == kNone) return false;
+  const HalfedgeId met = nodes_[end].enter;
+  apply(end);
+  mesh_.pair(met);
+  return true;
+}
+
+HalfedgeId Walker::reach_boundary(std::span<const TriangleId> starts, const BoundaryCost& cost,
+                                  const WalkLimits& limits) {
+  const std::uint32_t end = search(starts, &cost, limits);
+  if (end == kNone) return kNone;
+  const VertexId a = nodes_[end].corner[0], b = nodes_[end].corner[1];
+  const TriangleId t = apply(end);
+  for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
+    if (mesh_.tri.origin(h) == a && mesh_.tri.target(h) == b) return h;
+  }
+  return kNone;
+}
+
+std::uint32_t Walker::search(std::span<const TriangleId> starts, const BoundaryCost* boundary,
+                             const WalkLimits& limits) {
+  nodes_.clear();
+  queue_.clear();
+  ++searches_;
+  search_of_.resize(mesh_.mate.size());
+  visits_.resize(mesh_.mate.size());
+  for (const TriangleId t : starts) {
+    search_of_[t] = searches_;
+    const auto& v = mesh_.tri.tri_vertex;
+    push(0, {kNone, kNone, {v[3 * t], v[3 * t + 1], v[3 * t + 2]}, {3 * t, 3 * t + 1, 3 * t + 2}});
+  }
+  while (!queue_.empty()) {
+    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+    const Entry best = queue_.back();
+    queue_.pop_back();
+    if (nodes_[best.node].goal) return best.node;
+    if (nodes_.size() < limits.nodes) expand(best, boundary, limits);
+  }
+  return kNone;
+}
+
+void Walker::expand(Entry from, const BoundaryCost* boundary, const WalkLimits& limits) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const HalfedgeId exit = nodes_[from.node].exit[i];
+    if (exit == kNone) continue;
+    const HalfedgeId enter = mesh_.tri.twin[exit];
+    if (enter == kNone) {
+      if (boundary) try_boundary(from, i, *boundary);
+    } else if (mesh_.is_free(triangle_of(enter))) {
+      if (!boundary) try_goal(from, i, limits);
+    } else {
+      try_ears(from, i, limits);
+    }
+  }
+}
+
+void Walker::try_boundary(Entry from, std::size_t i, const BoundaryCost& boundary) {
+  const auto [a, b, c] =
+      std::array{nodes_[from.node].corner[i], nodes_[from.node].corner[(i + 1) % 3],
+                 nodes_[from.node].corner[(i + 2) % 3]};
+  const int cost = boundary(a, b, c);
+  if (cost < 0) return;
+  Node goal{from.node, kNone, {a, b, c}, {kNone, kNone, kNone}};
+  goal.goal = true;
+  push(from.cost + static_cast<std::uint32_t>(cost), goal);
+}
+
+void Walker::try_goal(Entry from, std::size_t i, const WalkLimits& limits) {
+  const Node& node = nodes_[from.node];
+  const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
+  if (search_of_[triangle_of(enter)] == searches_) return;  // the start itself
+  const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
+  const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.tri.apex(enter));
+  const std::uint32_t cost = quad_cost(a, d, b, c, limits.quads);
+  if (cost == kForbidden) return;
+  Node goal{from.node, enter, node.corner, {kNone, kNone, kNone}};
+  goal.goal = true;
+  push(from.cost + cost, goal);
+}
+
+void Walker::try_ears(Entry from, std::size_t i, const WalkLimits& limits) {
+  const Node node = nodes_[from.node];
+  const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
+  const QuadBehind quad = quad_behind(mesh_, enter);
+  if (!may_visit(from.node, std::min(quad.near, quad.far), limits.visits)) return;
+
+  const VertexId a = node.corner[i], b = node.corner[(i + 1) % 3], c = node.corner[(i + 2) % 3];
+  const std::array<VertexId, 5> corner = {b, c, a, mesh_.tri.origin(quad.side[1]),
+                                          mesh_.tri.origin(quad.side[2])};
+  if (c == corner[3] || c == corner[4]) {
+    if (limits.quads == WalkQuads::kAny) try_wheel(from, enter, quad, c == corner[4] ? b : a);
+    return;
+  }
+  const std::array<HalfedgeId, 5> side = {node.exit[(i + 1) % 3], node.exit[(i + 2) % 3],
+                                          quad.side[0], quad.side[1], quad.side[2]};
+  std::array<Point, 5> p;
+  for (std::size_t k = 0; k < 5; ++k) p[k] = mesh_.point(corner[k]);
+  for (const std::size_t ear : {0U, 2U, 3U, 4U}) {
+    const std::size_t before = (ear + 4) % 5, after = (ear + 1) % 5;
+    if (orient2d(p[before], p[ear], p[after]) <= 0) continue;
+    const std::uint32_t cost =
+        quad_cost(p[after], p[(ear + 2) % 5], p[(ear + 3) % 5], p[before], limits.quads);
+    if (cost == kForbidden) continue;
+    push(from.cost + cost, {from.node,
+                            enter,
+                            {corner[before], corner[ear], corner[after]},
+                            {side[before], side[ear], kNone},
+                            static_cast<std::int8_t>(ear)});
+  }
+}
+
+//        r            The quad b, a, d, e has its corner e or d at the free triangle's third
+//        corner: all three
+//      / | .          triangles meet in b or a, the centre z, and each has one edge of the rim.
+//     /  z  .
+//    / .   . .
+//   s ------- t
+void Walker::try_wheel(Entry from, HalfedgeId enter, const QuadBehind& quad, VertexId centre) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const HalfedgeId rim = quad.side[k];
+    const VertexId s = mesh_.tri.origin(rim), t = mesh_.tri.target(rim);
+    if (s == centre || t == centre) continue;
+    push(from.cost + kWheelCost, {from.node,
+                                  enter,
+                                  {s, t, centre},
+                                  {rim, kNone, kNone},
+                                  static_cast<std::int8_t>(kWheel + 2 + static_cast<int>(k))});
+  }
+}
+
+bool Walker::may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits) {
+  if (search_of_[t] != searches_) {
+    search_of_[t] = searches_;
+    visits_[t] = 0;
+  }
+  if (visits_[t] >= visits) return false;
+  // A second route may pass, but no route passes twice: its first pass has re-cut the quad.
+  for (; visits > 1 && nodes_[node].enter != kNone; node = nodes_[node].parent) {
+    const QuadBehind passed = quad_behind(mesh_, nodes_[node].enter);
+    if (std::min(passed.near, passed.far) == t) return false;
+  }
+  ++visits_[t];
+  return true;
+}
+
+void Walker::push(std::uint32_t cost, const Node& node) {
+  queue_.push_back({cost, static_cast<std::uint32_t>(nodes_.size())});
+  std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+  nodes_.push_back(node);
+}
+
+TriangleId Walker::apply(std::uint32_t end) {
+  std::vector<std::uint32_t> way;
+  std::uint32_t at = nodes_[end].goal ? nodes_[end].parent : end;
+  for (; nodes_[at].enter != kNone; at = nodes_[at].parent) way.push_back(at);
+  TriangleId free = triangle_of(nodes_[at].exit[0]);
+  for (; !way.empty(); way.pop_back()) {
+    const Node& step = nodes_[way.back()];
+    const auto touched = recut_pentagon(mesh_, step.enter, step.ear);
+    free = touched[0];
+    ++steps_;
+    if (on_recut) on_recut(touched);
+  }
+  ++walks_;
+  return free;
+}
+
+}  // namespace quadloom::quadrangulate

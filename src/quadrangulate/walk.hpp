@@ -1,0 +1,94 @@
+// Walks: a left-over triangle moves through quads until it meets another one, or the boundary.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "quadrangulate/paired_mesh.hpp"
+
+namespace quadloom::quadrangulate {
+
+enum class WalkQuads : std::uint8_t {
+  kStrictlyConvex,  // a walk leaves only strictly convex quads behind
+  kAny,             // any simple quad; flat and non-convex ones are avoided where a detour exists
+};
+
+struct WalkLimits {
+  WalkQuads quads = WalkQuads::kAny;
+  std::size_t nodes = 0xffffffffU;  // of the search, at most
+  std::uint8_t visits = 1;          // how many routes may go through the same quad
+};
+
+/// Cheapest walks on a paired mesh.
+///
+/// A free triangle beside a quad is a pentagon; cutting off another ear moves the free triangle to
+/// where its neighbours are others. A search (Dijkstra over such moves, short and well-shaped
+/// first) finds the way to another free triangle, with which it becomes a quad; only then are the
+/// pentagons along the way re-cut. Vertices, boundary and the number of triangles stay. A search
+/// costs O(nodes log nodes).
+class Walker {
+ public:
+  explicit Walker(PairedMesh& mesh) : mesh_(mesh) {}
+
+  /// Walks the free triangle to another one and pairs them. False, and nothing changed, if none was
+  /// found.
+  bool merge(TriangleId start, const WalkLimits& limits);
+
+  /// What it costs to end at the boundary edge a->b with the free triangle a, b, c; negative: not
+  /// there.
+  using BoundaryCost = std::function<int(VertexId a, VertexId b, VertexId c)>;
+
+  /// Walks one of the free triangles to the boundary; its boundary halfedge, or kNone and nothing
+  /// changed.
+  HalfedgeId reach_boundary(std::span<const TriangleId> starts, const BoundaryCost& cost,
+                            const WalkLimits& limits);
+
+  std::size_t walks() const { return walks_; }
+  std::size_t steps() const { return steps_; }
+
+  /// Called after each re-cut with the triangles touched.
+  std::function<void(std::span<const TriangleId>)> on_recut;
+
+ private:
+  /// The free triangle after some moves: where it is and how it came there.
+  struct Node {
+    std::uint32_t parent = kNone;
+    HalfedgeId enter =
+        kNone;  // the halfedge of the quad, or of the free goal, that was entered; kNone: a start
+    std::array<VertexId, 3> corner;
+    std::array<HalfedgeId, 3>
+        exit;  // the mesh's halfedge of edge i to i + 1; kNone for the edge just cut
+    std::int8_t ear = 0;
+    bool goal = false;
+  };
+  struct Entry {
+    std::uint32_t cost;
+    std::uint32_t node;
+    bool operator>(const Entry& o) const { return cost != o.cost ? cost > o.cost : node > o.node; }
+  };
+
+  std::uint32_t search(std::span<const TriangleId> starts, const BoundaryCost* boundary,
+                       const WalkLimits& limits);
+  void expand(Entry from, const BoundaryCost* boundary, const WalkLimits& limits);
+  void try_goal(Entry from, std::size_t i, const WalkLimits& limits);
+  void try_boundary(Entry from, std::size_t i, const BoundaryCost& boundary);
+  void try_ears(Entry from, std::size_t i, const WalkLimits& limits);
+  void try_wheel(Entry from, HalfedgeId enter, const QuadBehind& quad, VertexId centre);
+  bool may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits);
+  void push(std::uint32_t cost, const Node& node);
+  TriangleId apply(std::uint32_t node);
+
+  PairedMesh& mesh_;
+  std::vector<Node> nodes_;
+  std::vector<Entry> queue_;
+  std::vector<std::uint32_t> search_of_;  // per triangle: the last search that visited it
+  std::vector<std::uint8_t> visits_;      // and how often
+  std::uint32_t searches_ = 0;
+  std::size_t walks_ = 0;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace quadloom::quadrangulate
