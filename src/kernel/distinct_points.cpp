@@ -30,20 +30,27 @@ void check_points(std::span<const Point> input, std::size_t limit) {
   }
 }
 
-std::size_t number_distinct(std::span<const Point> input, std::span<const VertexId> order,
+std::vector<Point> gather(std::span<const Point> points, std::span<const VertexId> order) {
+  std::vector<Point> out;
+  out.reserve(order.size());
+  for (const VertexId v : order) out.push_back(points[v]);
+  return out;
+}
+
+std::size_t number_distinct(std::span<const Point> in_order, std::span<const VertexId> order,
                             std::vector<VertexId>& input_to_vertex) {
-  input_to_vertex.resize(input.size());
+  input_to_vertex.resize(order.size());
   std::iota(input_to_vertex.begin(), input_to_vertex.end(), VertexId{0});
   bool repeated = false;
   for (std::size_t i = 1; i < order.size(); ++i) {
-    if (input[order[i]] == input[order[i - 1]]) {
+    if (in_order[i] == in_order[i - 1]) {
       input_to_vertex[order[i]] = input_to_vertex[order[i - 1]];  // the first occurrence
       repeated = true;
     }
   }
-  if (!repeated) return input.size();
+  if (!repeated) return order.size();
   VertexId count = 0;
-  for (std::size_t i = 0; i < input.size(); ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     const VertexId first = input_to_vertex[i];
     input_to_vertex[i] = first == i ? count++ : input_to_vertex[first];
   }
@@ -69,8 +76,9 @@ std::vector<Point> points_by_number(std::span<const Point> input,
 DistinctPoints distinct_points(std::span<const Point> input) {
   kernel::check_points(input, kMaxPoints);
   DistinctPoints out;
+  const std::vector<VertexId> order = spatial_order(input);
   const std::size_t count =
-      kernel::number_distinct(input, spatial_order(input), out.input_to_vertex);
+      kernel::number_distinct(kernel::gather(input, order), order, out.input_to_vertex);
   out.points = kernel::points_by_number(input, out.input_to_vertex, count);
   return out;
 }

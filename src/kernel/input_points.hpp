@@ -11,9 +11,12 @@ namespace quadloom::kernel {
 /// Throws Error kTooManyPoints (more than `limit`) and kNotFinite (culprit: the first such point).
 void check_points(std::span<const Point> input, std::size_t limit);
 
-/// Numbers the distinct points by first occurrence: input_to_vertex for points in `order`, a
-/// spatial order of them. Returns how many distinct points there are.
-std::size_t number_distinct(std::span<const Point> input, std::span<const VertexId> order,
+/// The points in that order.
+std::vector<Point> gather(std::span<const Point> points, std::span<const VertexId> order);
+
+/// Numbers the distinct points by first occurrence. `in_order` are the input's points gathered in
+/// `order`, a spatial order. Returns how many distinct points there are.
+std::size_t number_distinct(std::span<const Point> in_order, std::span<const VertexId> order,
                             std::vector<VertexId>& input_to_vertex);
 
 /// The points by number, when there are `count` of them.
