@@ -1,21 +1,16 @@
 #include "quadrangulate/paired_mesh.hpp"
 
-#include "quadloom/kernel.hpp"
+#include "kernel/predicates_inline.hpp"
 
 namespace quadloom::quadrangulate {
 
 QuadKind classify_quad(Point a, Point b, Point c, Point d) {
-  const int at_a = orient2d(d, a, b), at_b = orient2d(a, b, c);
-  const int at_c = orient2d(b, c, d), at_d = orient2d(c, d, a);
-  // Split along one of the diagonals, both triangles must be counter-clockwise.
-  if (!((at_b > 0 && at_d > 0) || (at_a > 0 && at_c > 0))) return QuadKind::kNotSimple;
-  if (at_a < 0 || at_b < 0 || at_c < 0 || at_d < 0) return QuadKind::kNonConvex;
-  if (at_a == 0 || at_b == 0 || at_c == 0 || at_d == 0) return QuadKind::kFlatCorner;
-  return QuadKind::kStrictlyConvex;
+  return classify_quad(kernel::orient(d, a, b), kernel::orient(a, b, c), kernel::orient(b, c, d),
+                       kernel::orient(c, d, a));
 }
 
 bool split_by_first_diagonal(Point a, Point b, Point c, Point d) {
-  return orient2d(a, b, c) > 0 && orient2d(a, c, d) > 0;
+  return kernel::orient(a, b, c) > 0 && kernel::orient(a, c, d) > 0;
 }
 
 QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter) {
@@ -109,7 +104,7 @@ VertexId attach_boundary_point(PairedMesh& mesh, HalfedgeId boundary, Point plac
   mesh.tri.tri_vertex.resize(3 * added + 3);
   mesh.tri.twin.resize(3 * added + 3, kNone);
   mesh.mate.push_back(kNone);
-  if (orient2d(mesh.point(a), mesh.point(b), place) < 0) {
+  if (kernel::orient(mesh.point(a), mesh.point(b), place) < 0) {
     mesh.set_triangle(added, b, a, s);
     mesh.link(boundary, 3 * added);
     mesh.pair(boundary);

@@ -41,6 +41,14 @@ struct PairedMesh {
 /// Whether four corners in order are a simple counter-clockwise quad, and how its corners turn.
 enum class QuadKind : std::uint8_t { kNotSimple, kNonConvex, kFlatCorner, kStrictlyConvex };
 QuadKind classify_quad(Point a, Point b, Point c, Point d);
+/// The same from the turns at the corners in order (signs of orient2d).
+inline QuadKind classify_quad(int at_a, int at_b, int at_c, int at_d) {
+  // Split along one of the diagonals, both triangles must be counter-clockwise.
+  if (!((at_b > 0 && at_d > 0) || (at_a > 0 && at_c > 0))) return QuadKind::kNotSimple;
+  if (at_a < 0 || at_b < 0 || at_c < 0 || at_d < 0) return QuadKind::kNonConvex;
+  if (at_a == 0 || at_b == 0 || at_c == 0 || at_d == 0) return QuadKind::kFlatCorner;
+  return QuadKind::kStrictlyConvex;
+}
 
 /// Whether the diagonal a-c parts a simple quad into two counter-clockwise triangles; else b-d
 /// does.

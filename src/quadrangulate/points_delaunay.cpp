@@ -55,17 +55,19 @@ void walk_round(Walker& walker, const PairedMesh& mesh, const WalkLimits& limits
 }
 
 void walk_together(Walker& walker, const PairedMesh& mesh, const Progress& progress) {
+  // Small searches first bring near ones together; what stays after 4,000 nodes has no convex way,
+  // most often.
   constexpr WalkLimits kRounds[] = {
       {WalkQuads::kStrictlyConvex, 40},
       {WalkQuads::kStrictlyConvex, 400},
       {WalkQuads::kStrictlyConvex, 4'000},
-      {WalkQuads::kStrictlyConvex, 40'000, 2},
-      {WalkQuads::kAny, 4'000},
-      {WalkQuads::kAny, 400'000},
-      {WalkQuads::kAny, 0xffffffffU},
-      {WalkQuads::kAny, 0xffffffffU, 4},
-      {WalkQuads::kAny, 0xffffffffU, 16},
-      {WalkQuads::kAny, 0xffffffffU, 255},
+      {WalkQuads::kStrictlyConvex, 4'000, 3},
+      {WalkQuads::kAny, 1'000},
+      {WalkQuads::kAny, 100'000},
+      {WalkQuads::kAny, kNone},
+      {WalkQuads::kAny, kNone, 4},
+      {WalkQuads::kAny, kNone, 16},
+      {WalkQuads::kAny, kNone, 255},
   };
   double done = 0;
   for (const WalkLimits& limits : kRounds) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/predicates_inline.hpp"
 #include "kernel/squareness.hpp"
-#include "quadloom/kernel.hpp"
 
 namespace quadloom::quadrangulate {
 namespace {
@@ -12,8 +12,8 @@ constexpr std::uint32_t kForbidden = 0xffffffffU;
 
 // A quad left behind costs a step and its lack of shape; one that is not strictly convex as much as
 // a detour of some ten good ones.
-std::uint32_t quad_cost(Point a, Point b, Point c, Point d, WalkQuads allowed) {
-  switch (classify_quad(a, b, c, d)) {
+std::uint32_t quad_cost(QuadKind kind, Point a, Point b, Point c, Point d, WalkQuads allowed) {
+  switch (kind) {
     case QuadKind::kStrictlyConvex:
       return 2 + static_cast<std::uint32_t>(8 * (1 - kernel::squareness(a, b, c, d)));
     case QuadKind::kFlatCorner:
@@ -25,6 +25,30 @@ std::uint32_t quad_cost(Point a, Point b, Point c, Point d, WalkQuads allowed) {
   }
   return kForbidden;
 }
+
+/// The turns of all triples of a pentagon's corners, which the cuts of its ears share.
+class PentagonTurns {
+ public:
+  explicit PentagonTurns(const std::array<Point, 5>& p) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      ear_[i] = kernel::orient(p[(i + 4) % 5], p[i], p[(i + 1) % 5]);
+      wide_[i] = kernel::orient(p[i], p[(i + 2) % 5], p[(i + 3) % 5]);
+    }
+  }
+  /// The turn at corner i between its neighbours.
+  int at(std::size_t i) const { return ear_[i]; }
+  /// The quad that is left without corner i.
+  QuadKind without(std::size_t i) const {
+    const auto k = [i](std::size_t step) { return (i + step) % 5; };
+    // Its corners are i + 1 .. i + 4; those next to i see the far side, the others keep their
+    // turns.
+    return classify_quad(wide_[k(4)], ear_[k(2)], ear_[k(3)], wide_[k(1)]);
+  }
+
+ private:
+  std::array<int, 5> ear_;
+  std::array<int, 5> wide_;
+};
 
 constexpr std::uint32_t kWheelCost = 80;  // its quad has a reflex corner
 
@@ -105,7 +129,7 @@ void Walker::try_goal(Entry from, std::size_t i, const WalkLimits& limits) {
   if (search_of_[triangle_of(enter)] == searches_) return;  // the start itself
   const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
   const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.tri.apex(enter));
-  const std::uint32_t cost = quad_cost(a, d, b, c, limits.quads);
+  const std::uint32_t cost = quad_cost(classify_quad(a, d, b, c), a, d, b, c, limits.quads);
   if (cost == kForbidden) return;
   Node goal{from.node, enter, node.corner, {kNone, kNone, kNone}};
   goal.goal = true;
@@ -129,11 +153,12 @@ void Walker::try_ears(Entry from, std::size_t i, const WalkLimits& limits) {
                                           quad.side[0], quad.side[1], quad.side[2]};
   std::array<Point, 5> p;
   for (std::size_t k = 0; k < 5; ++k) p[k] = mesh_.point(corner[k]);
+  const PentagonTurns turns(p);
   for (const std::size_t ear : {0U, 2U, 3U, 4U}) {
     const std::size_t before = (ear + 4) % 5, after = (ear + 1) % 5;
-    if (orient2d(p[before], p[ear], p[after]) <= 0) continue;
-    const std::uint32_t cost =
-        quad_cost(p[after], p[(ear + 2) % 5], p[(ear + 3) % 5], p[before], limits.quads);
+    if (turns.at(ear) <= 0) continue;
+    const std::uint32_t cost = quad_cost(turns.without(ear), p[after], p[(ear + 2) % 5],
+                                         p[(ear + 3) % 5], p[before], limits.quads);
     if (cost == kForbidden) continue;
     push(from.cost + cost, {from.node,
                             enter,
