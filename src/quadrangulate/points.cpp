@@ -1,0 +1,62 @@
+// The public door for point sets: check the input, run the method, map duplicates.
+#include <optional>
+#include <utility>
+
+#include "quadloom/kernel.hpp"
+#include "quadloom/quadrangulate.hpp"
+#include "quadrangulate/point_input.hpp"
+#include "quadrangulate/points_insertion.hpp"
+#include "quadrangulate/points_spiral.hpp"
+#include "quadrangulate/serpentine.hpp"
+
+namespace quadloom {
+
+using namespace quadrangulate;
+
+namespace {
+
+/// What the method makes of the points; empty if it gave up, which no input is known to cause.
+std::optional<PointResult> run_method(const std::vector<Point>& points,
+                                      const PointOptions& options) {
+  switch (options.method) {
+    case PointMethod::kSpiral:
+      return spiral_quadrangulation(points, options);
+    case PointMethod::kInsertion:
+      return insertion_quadrangulation(points, options);
+    case PointMethod::kDelaunay:
+    case PointMethod::kSubdivide:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PointResult quadrangulate_points(std::span<const Point> input, const PointOptions& options) {
+  report_progress(options.progress, "input", 0);
+  DistinctPoints distinct = points_of_the_plane(input);
+  std::optional<PointResult> result = run_method(distinct.points, options);
+  if (!result) {
+    result = spiral_quadrangulation(distinct.points, options);
+    result->statistics.fell_back_to_spiral = true;
+  }
+  result->input_to_vertex = std::move(distinct.input_to_vertex);
+  return std::move(*result);
+}
+
+bool has_quadrangulation(std::span<const Point> input) {
+  const DistinctPoints distinct = distinct_points(input);
+  return span_the_plane(distinct.points) && convex_hull(distinct.points).size() % 2 == 0;
+}
+
+SerpentineResult serpentine_triangulation(std::span<const Point> input) {
+  DistinctPoints distinct = points_of_the_plane(input);
+  Serpentine path = make_serpentine(distinct.points, convex_layers(distinct.points));
+  SerpentineResult result;
+  result.mesh = to_triangulation(distinct.points, path);
+  result.spiral = std::move(path.spiral);
+  result.input_to_vertex = std::move(distinct.input_to_vertex);
+  return result;
+}
+
+}  // namespace quadloom
