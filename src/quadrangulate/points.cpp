@@ -5,6 +5,7 @@
 #include "quadloom/kernel.hpp"
 #include "quadloom/quadrangulate.hpp"
 #include "quadrangulate/point_input.hpp"
+#include "quadrangulate/points_delaunay.hpp"
 #include "quadrangulate/points_insertion.hpp"
 #include "quadrangulate/points_spiral.hpp"
 #include "quadrangulate/serpentine.hpp"
@@ -16,32 +17,40 @@ using namespace quadrangulate;
 namespace {
 
 /// What the method makes of the points; empty if it gave up, which no input is known to cause.
-std::optional<PointResult> run_method(const std::vector<Point>& points,
-                                      const PointOptions& options) {
+std::optional<PointResult> run_method(std::span<const Point> input, const PointOptions& options) {
+  if (options.method == PointMethod::kDelaunay) {
+    DelaunayResult triangulation = delaunay(input);
+    auto result = delaunay_quadrangulation(std::move(triangulation.mesh), options);
+    if (result) result->input_to_vertex = std::move(triangulation.input_to_vertex);
+    return result;
+  }
+  DistinctPoints distinct = points_of_the_plane(input);
+  std::optional<PointResult> result;
   switch (options.method) {
     case PointMethod::kSpiral:
-      return spiral_quadrangulation(points, options);
+      result = spiral_quadrangulation(distinct.points, options);
+      break;
     case PointMethod::kInsertion:
-      return insertion_quadrangulation(points, options);
+      result = insertion_quadrangulation(distinct.points, options);
+      break;
     case PointMethod::kDelaunay:
     case PointMethod::kSubdivide:
       break;
   }
-  return std::nullopt;
+  if (result) result->input_to_vertex = std::move(distinct.input_to_vertex);
+  return result;
 }
 
 }  // namespace
 
 PointResult quadrangulate_points(std::span<const Point> input, const PointOptions& options) {
   report_progress(options.progress, "input", 0);
-  DistinctPoints distinct = points_of_the_plane(input);
-  std::optional<PointResult> result = run_method(distinct.points, options);
-  if (!result) {
-    result = spiral_quadrangulation(distinct.points, options);
-    result->statistics.fell_back_to_spiral = true;
-  }
-  result->input_to_vertex = std::move(distinct.input_to_vertex);
-  return std::move(*result);
+  if (auto result = run_method(input, options)) return std::move(*result);
+  PointOptions spiral = options;
+  spiral.method = PointMethod::kSpiral;
+  PointResult result = std::move(run_method(input, spiral).value());
+  result.statistics.fell_back_to_spiral = true;
+  return result;
 }
 
 bool has_quadrangulation(std::span<const Point> input) {
