@@ -66,7 +66,7 @@ struct Certificate {
 Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
                            const CertifyOptions& options = {});
 
-/// Shape figures of a mesh. Angles in degrees.
+/// Shape figures of a mesh. Angles in degrees; an edge between two faces counts once.
 struct Quality {
   std::size_t quads = 0;
   std::size_t triangles = 0;
@@ -87,6 +87,9 @@ struct Quality {
   double max_edge = 0;
   double mean_edge = 0;
 };
+
+/// Faces should be counter-clockwise. A mesh without faces has zeros everywhere. Throws Error
+/// kBadMesh (a face of fewer than three corners), kIndexOutOfRange, kNotFinite. Near-linear.
 Quality measure_quality(const PolygonMesh& mesh);
 
 }  // namespace quadloom

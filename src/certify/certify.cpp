@@ -24,6 +24,7 @@
 
 #include "certify/boundary.hpp"
 #include "certify/edges.hpp"
+#include "certify/layout.hpp"
 #include "certify/places.hpp"
 #include "certify/polygon.hpp"
 #include "certify/wording.hpp"
@@ -92,9 +93,7 @@ class Judge {
 };
 
 bool Judge::check_layout() {
-  const auto& begin = mesh_.face_begin;
-  if (begin.empty() || begin.front() != 0 || begin.back() != mesh_.face_vertex.size() ||
-      !std::ranges::is_sorted(begin)) {
+  if (!certify::layout_fits(mesh_)) {
     return fault(Fault::kIndexOutOfRange, "the faces' beginnings do not fit the list of corners",
                  {});
   }

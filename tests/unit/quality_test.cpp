@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "quadloom/certify.hpp"
+#include "support/grid_mesh.hpp"
+
+namespace quadloom {
+namespace {
+
+PolygonMesh one_face(std::vector<Point> points) {
+  PolygonMesh mesh;
+  mesh.points = std::move(points);
+  std::vector<VertexId> corners(mesh.points.size());
+  std::iota(corners.begin(), corners.end(), VertexId{0});
+  mesh.add_face(corners);
+  return mesh;
+}
+
+TEST(Quality, OfARectangle) {
+  const auto q = measure_quality(one_face({{0, 0}, {4, 0}, {4, 1}, {0, 1}}));
+  EXPECT_EQ(q.quads, 1U);
+  EXPECT_EQ(q.strictly_convex, 1U);
+  EXPECT_DOUBLE_EQ(q.min_angle, 90);
+  EXPECT_DOUBLE_EQ(q.max_angle, 90);
+  EXPECT_EQ(q.angle_histogram[9], 4U);
+  EXPECT_DOUBLE_EQ(q.mean_shape, 1);
+  EXPECT_DOUBLE_EQ(q.min_shape, 1);
+  EXPECT_EQ(q.shape_histogram[9], 1U);
+  EXPECT_DOUBLE_EQ(q.max_aspect, 4);
+  EXPECT_DOUBLE_EQ(q.median_aspect, 4);
+  EXPECT_DOUBLE_EQ(q.min_edge, 1);
+  EXPECT_DOUBLE_EQ(q.max_edge, 4);
+  EXPECT_DOUBLE_EQ(q.mean_edge, 2.5);
+}
+
+TEST(Quality, OfADartAndAFlatQuad) {
+  const auto dart = measure_quality(one_face({{0, 0}, {4, 0}, {1, 1}, {0, 4}}));
+  EXPECT_EQ(dart.non_convex, 1U);
+  EXPECT_EQ(dart.min_shape, 0);
+  EXPECT_NEAR(dart.max_angle, 233.13010235415598, 1e-9);
+  const auto flat = measure_quality(one_face({{0, 0}, {1, 0}, {2, 0}, {1, 2}}));
+  EXPECT_EQ(flat.flat_cornered, 1U);
+  EXPECT_DOUBLE_EQ(flat.max_angle, 180);
+  const auto clockwise = measure_quality(one_face({{0, 1}, {1, 1}, {1, 0}, {0, 0}}));
+  EXPECT_EQ(clockwise.non_convex, 1U);
+  EXPECT_DOUBLE_EQ(clockwise.min_angle, 270);
+}
+
+TEST(Quality, OfMixedFaces) {
+  auto mesh = test::grid_mesh(2, 1);
+  mesh.points.push_back({1, -7});
+  mesh.add_face(std::array<VertexId, 3>{0, 6, 1});
+  mesh.add_face(std::array<VertexId, 5>{0, 1, 4, 5, 3});
+  const auto q = measure_quality(mesh);
+  EXPECT_EQ(q.quads, 2U);
+  EXPECT_EQ(q.triangles, 1U);
+  EXPECT_EQ(q.other_faces, 1U);
+  EXPECT_EQ(std::accumulate(q.angle_histogram.begin(), q.angle_histogram.end(), std::size_t{0}),
+            16U);
+}
+
+TEST(Quality, CountsInnerEdgesOnce) {
+  // Two unit squares: seven edges; one of them moved away makes the inner edge longer.
+  PolygonMesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 3}, {0, 1}};
+  mesh.add_face(std::array<VertexId, 4>{0, 1, 4, 5});
+  mesh.add_face(std::array<VertexId, 4>{1, 2, 3, 4});
+  EXPECT_DOUBLE_EQ(measure_quality(mesh).mean_edge, (4 + 3 + 2 * std::sqrt(5)) / 7);
+}
+
+TEST(Quality, AtTheEndsOfTheRange) {
+  for (const double s : {1e-320, 1e-300, 1e300, 1.5e308}) {
+    const auto q = measure_quality(one_face({{-s, -s}, {s, -s}, {s, s}, {-s, s}}));
+    EXPECT_DOUBLE_EQ(q.min_angle, 90) << s;
+    EXPECT_DOUBLE_EQ(q.max_angle, 90) << s;
+    EXPECT_EQ(q.strictly_convex, 1U) << s;
+    EXPECT_DOUBLE_EQ(q.max_aspect, 1) << s;
+  }
+}
+
+TEST(Quality, RefusesWhatIsNoMesh) {
+  EXPECT_EQ(measure_quality({}).max_angle, 0);
+  auto mesh = one_face({{0, 0}, {1, 0}, {0, 1}});
+  mesh.points[2].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(measure_quality(mesh), Error);
+  mesh.face_vertex[2] = 3;
+  EXPECT_THROW(measure_quality(mesh), Error);
+  mesh.face_vertex.pop_back();
+  mesh.face_begin.back() = 2;
+  EXPECT_THROW(measure_quality(mesh), Error);
+}
+
+}  // namespace
+}  // namespace quadloom
