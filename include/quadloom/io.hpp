@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "quadloom/core.hpp"
@@ -20,14 +21,16 @@ struct PointTable {
 };
 
 struct ReadPointsOptions {
-  std::string
-      format;  // "csv", "xyz" or "geojson"; empty: by the file's extension, xyz for standard input
-  std::string columns;  // "x,y", "x,y,z" or any header names or 1-based numbers; empty: from the
-                        // header or order
+  /// "csv", "xyz" or "geojson"; empty: by the file's extension, xyz for standard input.
+  std::string format;
+  /// Two or three header names (any case) or numbers from 1, such as "lon,lat" or "2,3,4"; empty:
+  /// x,y[,z] or lon,lat[,elevation ...] of the header, else the first two or three columns.
+  std::string columns;
 };
 
-/// Reads .csv, .xyz, .txt, .geojson, .json; "-" is standard input. Throws Error kParse naming the
-/// line (culprit), kNotFinite likewise, kFile. An empty file is kTooFewPoints.
+/// Reads .csv .tsv, .xyz .xy .txt, .geojson .json; "-" is standard input. Throws Error kParse and
+/// kNotFinite naming the file, the line (culprit) and the text, kFile, kBadOption. A file without
+/// points is kTooFewPoints. docs/formats.md has the details.
 PointTable read_points(const std::string& path, const ReadPointsOptions& options = {});
 
 /// One number a vertex or a face, carried from readers to writers.
@@ -44,18 +47,25 @@ struct MeshFile {
   std::vector<Attribute> face_data;
 };
 
-/// Writes by extension: .obj .off .ply .vtu .msh (4.1; "msh22" for 2.2) .geojson, or `format`.
-/// Coordinates read back bit for bit. Written to a temporary name beside the target, then renamed.
-/// "-" is standard output (needs `format`). Throws Error kFile, kBadOption.
+/// Writes by extension: .obj .off .ply .vtu .msh .geojson .json, or as `format` says: one of these
+/// without the dot, "msh22" (.msh is 4.1) or "vtu-ascii" (.vtu has base64). Coordinates read back
+/// bit for bit (-0.0 as 0). Written to a temporary name beside the target, then renamed; "-" is
+/// standard output (needs `format`). What a format cannot hold is left out: vertex data in .obj,
+/// .off, .msh and .geojson, face data in .obj, .off and .msh, unused vertices in .geojson. Throws
+/// Error kFile; kBadOption (unknown format, faces that .msh cannot hold); kIndexOutOfRange,
+/// kNotFinite, kBadMesh for a mesh that no file should hold.
 void write_mesh(const std::string& path, const MeshFile& mesh, const std::string& format = {});
 
-/// Reads what write_mesh writes. Throws Error kParse, kIndexOutOfRange, kFile.
+/// Reads what write_mesh writes and more (docs/formats.md); "-" is standard input (needs `format`).
+/// Heights that are all 0 count as none. Throws Error kParse (culprit: the line where there is
+/// one), kNotFinite, kIndexOutOfRange (culprits: face, index), kFile, kBadOption.
 MeshFile read_mesh(const std::string& path, const std::string& format = {});
 
 /// Writes a text file by temporary name and rename; "-" is standard output. For reports.
 void write_text(const std::string& path, std::string_view text);
 
-/// One point a line, x y [z], 17 digits; .csv with a header; .geojson as MultiPoint; by extension.
+/// One point a line, x y [z], the fewest digits that read back the same; .csv and .tsv with a
+/// header; .geojson as MultiPoint; by extension, "-" as .xyz to standard output.
 void write_points(const std::string& path, std::span<const Point> points,
                   std::span<const double> z = {});
 

@@ -1,1 +1,12 @@
-// Files and pictures: see include/quadloom/io.hpp.
+#include "io/output.hpp"
+#include "quadloom/io.hpp"
+
+namespace quadloom::io {
+
+void write_text(const std::string& path, std::string_view text) {
+  Output out(path);
+  out << text;
+  out.commit();
+}
+
+}  // namespace quadloom::io

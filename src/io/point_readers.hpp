@@ -1,0 +1,22 @@
+// The readers of points, from text in memory. One file each; points.cpp chooses.
+#pragma once
+
+#include "io/source.hpp"
+#include "quadloom/io.hpp"
+
+namespace quadloom::io {
+
+/// Fields separated by commas, semicolons or tabs (whichever the first line has), quotes allowed.
+PointTable read_csv_points(const Source& source, const std::string& columns);
+
+/// Numbers separated by blanks, commas, semicolons or tabs.
+PointTable read_xyz_points(const Source& source, const std::string& columns);
+
+/// Every Point and MultiPoint of a GeoJSON text.
+PointTable read_geojson_points(const Source& source);
+
+/// By the name of the format: "csv", "xyz", "geojson". Throws as read_points does.
+PointTable read_points_text(const Source& source, const std::string& format,
+                            const std::string& columns = {});
+
+}  // namespace quadloom::io

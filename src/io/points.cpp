@@ -1,0 +1,101 @@
+// Points in and out: which format, and the writers.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/output.hpp"
+#include "io/point_readers.hpp"
+#include "io/text.hpp"
+
+namespace quadloom::io {
+namespace {
+
+std::string format_of(const std::string& path) {
+  const auto extension = extension_of(path);
+  if (extension == "csv" || extension == "tsv") return "csv";
+  if (extension == "xyz" || extension == "txt" || extension == "xy") return "xyz";
+  if (extension == "geojson" || extension == "json") return "geojson";
+  throw Error(ErrorCode::kBadOption,
+              fmt::format("cannot tell the format of {}: the endings known for points are .csv, "
+                          ".tsv, .xyz, .txt, .geojson and .json",
+                          path));
+}
+
+void write_number(Output& out, double value, std::string_view what) {
+  if (!std::isfinite(value)) {
+    throw Error(ErrorCode::kNotFinite, fmt::format("cannot write {} {}", what, value));
+  }
+  out << value;
+}
+
+void write_coordinates(Output& out, Point p, const double* z, char between) {
+  write_number(out, p.x, "the coordinate");
+  out << between;
+  write_number(out, p.y, "the coordinate");
+  if (z == nullptr) return;
+  out << between;
+  write_number(out, *z, "the height");
+}
+
+void write_table(Output& out, std::span<const Point> points, std::span<const double> z,
+                 char between) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    write_coordinates(out, points[i], z.empty() ? nullptr : &z[i], between);
+    out << '\n';
+  }
+}
+
+void write_multipoint(Output& out, std::span<const Point> points, std::span<const double> z) {
+  out << R"({"type":"MultiPoint","coordinates":[)";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out << (i == 0 ? "\n[" : ",\n[");
+    write_coordinates(out, points[i], z.empty() ? nullptr : &z[i], ',');
+    out << ']';
+  }
+  out << "\n]}\n";
+}
+
+}  // namespace
+
+PointTable read_points_text(const Source& source, const std::string& format,
+                            const std::string& columns) {
+  if (format == "csv") return read_csv_points(source, columns);
+  if (format == "xyz") return read_xyz_points(source, columns);
+  if (format == "geojson") return read_geojson_points(source);
+  throw Error(ErrorCode::kBadOption,
+              fmt::format("no format of points is called {}; there are csv, xyz and geojson",
+                          in_quotes(format)));
+}
+
+PointTable read_points(const std::string& path, const ReadPointsOptions& options) {
+  const std::string format = !options.format.empty() ? options.format
+                             : path == "-"           ? "xyz"
+                                                     : format_of(path);
+  const std::string text = read_all(path);
+  return read_points_text({source_name(path), text}, format, options.columns);
+}
+
+void write_points(const std::string& path, std::span<const Point> points,
+                  std::span<const double> z) {
+  if (!z.empty() && z.size() != points.size()) {
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{} heights for {} points", z.size(), points.size()));
+  }
+  const std::string format = path == "-" ? "xyz" : format_of(path);
+  Output out(path);
+  if (format == "geojson") {
+    write_multipoint(out, points, z);
+  } else if (format == "csv") {
+    const char between = extension_of(path) == "tsv" ? '\t' : ',';
+    out << 'x' << between << 'y';
+    if (!z.empty()) out << between << 'z';
+    out << '\n';
+    write_table(out, points, z, between);
+  } else {
+    write_table(out, points, z, ' ');
+  }
+  out.commit();
+}
+
+}  // namespace quadloom::io
