@@ -3,13 +3,13 @@
 // corners, neighbours, duplicates merged), CGAL's with its own structure; no time for turning that
 // into indices is counted.
 //
-//   compare_delaunay [rounds]
+//   compare_delaunay [rounds]              the table
+//   compare_delaunay rounds KIND n ...     points of `quadloom generate`, in random order
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "quadloom/generate.hpp"
 #include "quadloom/kernel.hpp"
 
 namespace {
@@ -25,37 +26,11 @@ using quadloom::Point;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 
-std::vector<Point> uniform(std::size_t n) {
-  quadloom::Random random(1);
-  std::vector<Point> points(n);
-  for (Point& p : points) {
-    p.x = random.uniform();
-    p.y = random.uniform();
-  }
-  return points;
-}
-
-void shuffle(std::vector<Point>& points) {
+/// In random order: what a generator's order could give away counts for neither.
+std::vector<Point> shuffled(const std::string& kind, std::size_t n) {
+  std::vector<Point> points = quadloom::generate_points(kind, n);
   quadloom::Random random(2);
   for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
-}
-
-std::vector<Point> grid(std::size_t side) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < side * side; ++i) {
-    points.push_back({static_cast<double>(i % side), static_cast<double>(i / side)});
-  }
-  shuffle(points);
-  return points;
-}
-
-std::vector<Point> circle(std::size_t n) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
-    points.push_back({std::cos(angle), std::sin(angle)});
-  }
-  shuffle(points);
   return points;
 }
 
@@ -68,7 +43,8 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-void compare(const std::string& name, const std::vector<Point>& points, int rounds) {
+void compare(const std::string& kind, std::size_t n, int rounds) {
+  const std::vector<Point> points = shuffled(kind, n);
   std::vector<Kernel::Point_2> cgal_points;
   for (const Point& p : points) cgal_points.emplace_back(p.x, p.y);
   std::vector<double> ours, theirs, ratio;
@@ -84,7 +60,7 @@ void compare(const std::string& name, const std::vector<Point>& points, int roun
     cgal_faces = cgal.number_of_faces();
     ratio.push_back(ours.back() / theirs.back());
   }
-  std::printf("%-14s %9zu %10.4f %10.4f %8.3f   %s\n", name.c_str(), points.size(), median(ours),
+  std::printf("%-14s %9zu %10.4f %10.4f %8.3f   %s\n", kind.c_str(), points.size(), median(ours),
               median(theirs), median(ratio), faces == cgal_faces ? "" : "faces differ!");
   std::fflush(stdout);
 }
@@ -94,10 +70,16 @@ void compare(const std::string& name, const std::vector<Point>& points, int roun
 int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
   std::printf("%-14s %9s %10s %10s %8s\n", "points", "n", "ours s", "CGAL s", "ratio");
-  compare("uniform 1e4", uniform(10000), 9 * rounds);
-  compare("uniform 1e5", uniform(100000), 3 * rounds);
-  compare("uniform 1e6", uniform(1000000), rounds);
-  compare("grid 1000^2", grid(1000), rounds);
-  compare("circle 1e5", circle(100000), rounds);
+  if (argc > 3) {
+    for (int i = 2; i + 1 < argc; i += 2) {
+      compare(argv[i], static_cast<std::size_t>(std::atof(argv[i + 1])), rounds);
+    }
+    return 0;
+  }
+  compare("uniform", 10000, 9 * rounds);
+  compare("uniform", 100000, 3 * rounds);
+  compare("uniform", 1000000, rounds);
+  compare("grid", 1000000, rounds);
+  compare("circle", 100000, rounds);
   return 0;
 }

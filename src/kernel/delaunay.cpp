@@ -10,7 +10,8 @@
 //   4. first_triangle    three points that are not on a line, with three ghost triangles
 //   5. insert            for each point: locate (a walk from the last point), collect_cavity (the
 //                        triangles whose circle holds the point), fill_cavity (its star)
-//   6. emit              the triangles in spatial order over the caller's numbers, without ghosts
+//   6. drop_ghosts       a last triangle moves into the place of each ghost
+//   7. emit              the triangles over the caller's numbers
 //
 // The hull: beyond each hull edge is a ghost triangle with a corner at infinity, in conflict with
 // the points strictly beyond the edge and with the points inside the edge itself. So no point needs
@@ -57,35 +58,17 @@ std::vector<VertexId> drop_duplicates(std::vector<Point>& in_order, std::vector<
   return order;
 }
 
-/// The triangles sorted by the first of their corners along the curve (a counting sort), each
-/// corner under its vertex number.
-void emit(const DelaunayBuilder& builder, std::span<const VertexId> vertex, Triangulation& mesh) {
-  const auto triangles = builder.triangles();
-  const std::uint32_t ghost = builder.ghost();
-  const auto is_ghost = [ghost](const DelaunayBuilder::Triangle& t) {
-    return t.v[0] == ghost || t.v[1] == ghost || t.v[2] == ghost;
-  };
-  const auto first_corner = [](const DelaunayBuilder::Triangle& t) {
-    return std::min({t.v[0], t.v[1], t.v[2]});
-  };
-  std::vector<std::uint32_t> place(ghost + std::size_t{1}, 0);
-  for (const auto& t : triangles) {
-    if (!is_ghost(t)) ++place[first_corner(t) + 1];
-  }
-  for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
-  std::vector<std::uint32_t> first_halfedge(triangles.size(), kNone);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!is_ghost(triangles[t])) first_halfedge[t] = 3 * place[first_corner(triangles[t])]++;
-  }
-  mesh.tri_vertex.resize(3 * std::size_t{place.back()});
-  mesh.twin.resize(3 * std::size_t{place.back()});
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const std::uint32_t h = first_halfedge[t];
-    if (h == kNone) continue;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t other = first_halfedge[triangles[t].twin[i] >> 2];
-      mesh.tri_vertex[h + i] = vertex[triangles[t].v[i]];
-      mesh.twin[h + i] = other == kNone ? kNone : other + (triangles[t].twin[i] & 3U);
+/// The triangles as they were built, each corner under its vertex number. Their order is that of
+/// the last rounds along the curve, one after the other.
+void emit(std::span<const DelaunayBuilder::Triangle> triangles, std::span<const VertexId> vertex,
+          Triangulation& mesh) {
+  mesh.tri_vertex.resize(3 * triangles.size());
+  mesh.twin.resize(3 * triangles.size());
+  std::size_t h = 0;
+  for (const DelaunayBuilder::Triangle& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i, ++h) {
+      mesh.tri_vertex[h] = vertex[t.v[i]];
+      mesh.twin[h] = t.twin[i] == kNone ? kNone : 3 * (t.twin[i] >> 2) + (t.twin[i] & 3U);
     }
   }
 }
@@ -110,7 +93,7 @@ DelaunayResult delaunay(std::span<const Point> input) {
                 "all " + std::to_string(count) + " distinct points are on one line");
   }
   out.mesh.points = kernel::points_by_number(input, out.input_to_vertex, count);
-  emit(builder, vertex, out.mesh);
+  emit(builder.triangles(), vertex, out.mesh);
   return out;
 }
 

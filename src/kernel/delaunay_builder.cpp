@@ -44,7 +44,9 @@ bool DelaunayBuilder::build() {
   std::vector<std::uint32_t> order = insertion_order();
   if (!first_triangle(order)) return false;
   triangles_.reserve(2 * points_.size());
+  grow_buffers();
   for (std::size_t i = 3; i < order.size(); ++i) insert(order[i]);
+  drop_ghosts();
   return true;
 }
 
@@ -109,56 +111,48 @@ void DelaunayBuilder::insert(std::uint32_t p) {
 
 // Walks through edges that have p strictly beyond them, never back through the edge it came by,
 // until there is none (p is in the triangle or on its border) or a ghost is reached (p is beyond
-// its hull edge). In a Delaunay triangulation such a walk ends.
+// its hull edge). In a Delaunay triangulation such a walk ends. After a few steps, which edge is
+// tried first is left to chance: a fixed choice goes around long fans of slivers (Devillers, Pion,
+// Teillaud 2002).
 std::uint32_t DelaunayBuilder::locate(std::uint32_t p) const {
+  constexpr int kFixedSteps = 6;
   const Point at = points_[p];
   const auto beyond = [&](const Triangle& t, std::uint32_t i) {
     const Point a = points_[t.v[i]], b = points_[t.v[i + 1]];
     const int sign = cross_filter(a, b, a, at);
-    return sign != 0 ? sign < 0 : cross_exact(a, b, a, at) < 0;
+    return sign != 0 ? sign < 0 : beyond_exact(t, i, at);
   };
-  std::uint32_t current = last_;
-  Edge entry = current << 2;
-  if (!beyond(triangles_[current], 0)) {
-    entry = current << 2 | 3;
-  } else {
-    entry = triangles_[current].twin[0];
-  }
-  if ((entry & 3U) == 3) {
-    const Triangle& t = triangles_[current];
-    if (beyond(t, 1)) {
-      entry = t.twin[1];
-    } else if (beyond(t, 2)) {
-      entry = t.twin[2];
-    } else {
-      return current;
+  const Triangle& start = triangles_[last_];
+  Edge entry = last_ << 2;
+  if (beyond(start, 0)) entry = start.twin[0];
+  std::uint32_t chance = p;
+  for (int step = 0;; ++step) {
+    const Triangle& t = triangles_[entry >> 2];
+    std::uint32_t i = next(entry) & 3U, j = previous(entry) & 3U;
+    if (step > kFixedSteps) {
+      chance = chance * 0x9e3779b9U + 1;
+      if (chance >> 31) std::swap(i, j);
     }
-  }
-  for (;;) {
-    current = entry >> 2;
-    const Triangle& t = triangles_[current];
-    if (is_ghost(t)) return current;
-    const std::uint32_t first = next(entry) & 3U, second = previous(entry) & 3U;
-    if (beyond(t, first)) {
-      entry = t.twin[first];
-    } else if (beyond(t, second)) {
-      entry = t.twin[second];
+    if (beyond(t, i)) {
+      entry = t.twin[i];
+    } else if (beyond(t, j)) {
+      entry = t.twin[j];
     } else {
-      return current;
+      return entry >> 2;
     }
   }
 }
 
-bool DelaunayBuilder::in_conflict(const Triangle& t, std::uint32_t p) const {
-  const int sign = incircle_filter(points_[t.v[0]], points_[t.v[1]], points_[t.v[2]], points_[p]);
-  return sign != 0 ? sign > 0 : in_conflict_exact(t, p);
+// A ghost has nothing beyond its edges to infinity, for which the filter is silent.
+[[gnu::noinline]] bool DelaunayBuilder::beyond_exact(const Triangle& t, std::uint32_t i,
+                                                     Point at) const {
+  if (is_ghost(t)) return false;
+  return cross_exact(points_[t.v[i]], points_[t.v[i + 1]], points_[t.v[i]], at) < 0;
 }
 
 // A ghost is in conflict with the points strictly beyond its hull edge, and with those on the edge
 // between its ends. Its filter is silent, since its corner at infinity is not a number.
-[[gnu::noinline]] bool DelaunayBuilder::in_conflict_exact(const Triangle& t,
-                                                          std::uint32_t p) const {
-  const Point at = points_[p];
+[[gnu::noinline]] bool DelaunayBuilder::in_conflict_exact(const Triangle& t, Point at) const {
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (t.v[i] != ghost_) continue;
     const Point a = points_[t.v[(i + 1) % 3]], b = points_[t.v[(i + 2) % 3]];
@@ -166,8 +160,35 @@ bool DelaunayBuilder::in_conflict(const Triangle& t, std::uint32_t p) const {
     return turn > 0 || (turn == 0 && lex_less(a, at) != lex_less(b, at));
   }
   const Point a = points_[t.v[0]], b = points_[t.v[1]], c = points_[t.v[2]];
-  const int sign = incircle_exact(a, b, c, at);
+  int sign = incircle_filter(a, b, c, at);  // sharper than the one for pairs
+  if (sign == 0) sign = incircle_exact(a, b, c, at);
   return (sign != 0 ? sign : perturbed_incircle(a, b, c, at)) > 0;
+}
+
+// Judges the triangles beyond two edges at once and pushes the edges, `first` on top. Two tests
+// side by side cost hardly more than one.
+inline DelaunayBuilder::Judged* DelaunayBuilder::judge_pair(Edge second, Edge first, Point at,
+                                                            Judged* top) const {
+  const Triangle &t = triangles_[first >> 2], &u = triangles_[second >> 2];
+  const Point a = points_[t.v[0]], b = points_[t.v[1]], c = points_[t.v[2]];
+  const Point d = points_[u.v[0]], e = points_[u.v[1]], f = points_[u.v[2]];
+  const PairVerdict verdict =
+      incircle_pair_filter(Pair{a.x, d.x} - at.x, Pair{a.y, d.y} - at.y, Pair{b.x, e.x} - at.x,
+                           Pair{b.y, e.y} - at.y, Pair{c.x, f.x} - at.x, Pair{c.y, f.y} - at.y);
+  bool first_conflict = verdict.inside[0] != 0, second_conflict = verdict.inside[1] != 0;
+  if ((verdict.proven[0] & verdict.proven[1]) == 0) [[unlikely]] {
+    if (verdict.proven[0] == 0) first_conflict = in_conflict_exact(t, at);
+    if (verdict.proven[1] == 0) second_conflict = in_conflict_exact(u, at);
+  }
+  top[0] = second | (second_conflict ? kInConflict : 0);
+  top[1] = first | (first_conflict ? kInConflict : 0);
+  return top + 2;
+}
+
+void DelaunayBuilder::grow_buffers() {
+  cavity_.resize(2 * cavity_.size() + 62);
+  rim_.resize(cavity_.size());
+  stack_.resize(cavity_.size());
 }
 
 // From the triangle that holds p outwards, through every triangle in conflict. The cavity is
@@ -180,23 +201,32 @@ bool DelaunayBuilder::in_conflict(const Triangle& t, std::uint32_t p) const {
 //     b-----a
 //        p
 void DelaunayBuilder::collect_cavity(std::uint32_t start, std::uint32_t p) {
-  cavity_.clear();
-  rim_.clear();
-  cavity_.push_back(start);
+  const Point at = points_[p];
+  std::size_t cavity_size = 0, rim_size = 0;
+  cavity_[cavity_size++] = start;
   const Triangle& first = triangles_[start];
-  stack_.assign({first.twin[2], first.twin[1], first.twin[0]});
-  while (!stack_.empty()) {
-    const Edge e = stack_.back();
-    stack_.pop_back();
-    const Triangle& t = triangles_[e >> 2];
-    if (in_conflict(t, p)) {
-      cavity_.push_back(e >> 2);
-      stack_.push_back(t.twin[previous(e) & 3U]);
-      stack_.push_back(t.twin[next(e) & 3U]);
-    } else {
-      rim_.push_back(e);
+  Judged* top = judge_pair(first.twin[2], first.twin[2], at, stack_.data()) - 1;
+  top = judge_pair(first.twin[1], first.twin[0], at, top);
+  while (top != stack_.data()) {
+    const Judged judged = *--top;
+    const auto edge = static_cast<Edge>(judged);
+    if ((judged & kInConflict) == 0) {
+      rim_[rim_size++] = edge;
+      continue;
     }
+    cavity_[cavity_size++] = edge >> 2;
+    // The rim ends two longer than the cavity, which in turn gets two fresh triangles; the stack
+    // is never longer than the rim will be.
+    if (cavity_size + 3 > cavity_.size()) {
+      const auto depth = top - stack_.data();
+      grow_buffers();
+      top = stack_.data() + depth;
+    }
+    const Triangle& t = triangles_[edge >> 2];
+    top = judge_pair(t.twin[previous(edge) & 3U], t.twin[next(edge) & 3U], at, top);
   }
+  cavity_size_ = cavity_size;
+  rim_size_ = rim_size;
 }
 
 // The star of p: one triangle (a, b, p) for each edge b -> a of the rim. It has two triangles more
@@ -204,10 +234,10 @@ void DelaunayBuilder::collect_cavity(std::uint32_t start, std::uint32_t p) {
 void DelaunayBuilder::fill_cavity(std::uint32_t p) {
   const auto fresh = static_cast<std::uint32_t>(triangles_.size());
   triangles_.resize(fresh + 2);
-  cavity_.push_back(fresh);
-  cavity_.push_back(fresh + 1);
-  std::uint32_t before = cavity_.back();
-  const std::size_t m = rim_.size();
+  const std::size_t m = rim_size_;
+  cavity_[m - 2] = fresh;
+  cavity_[m - 1] = fresh + 1;
+  std::uint32_t before = fresh + 1;
   for (std::size_t i = 0; i < m; ++i) {
     const Edge e = rim_[i];
     Triangle& outside = triangles_[e >> 2];
@@ -215,9 +245,47 @@ void DelaunayBuilder::fill_cavity(std::uint32_t p) {
     const std::uint32_t at = cavity_[i], after = cavity_[i + 1 == m ? 0 : i + 1];
     outside.twin[e & 3U] = at << 2;
     triangles_[at] = {{a, b, p, a}, {e, after << 2 | 2, before << 2 | 1}, 0};
-    if (a != ghost_ && b != ghost_) last_ = at;
     before = at;
   }
+  std::size_t real = 0;
+  while (is_ghost(triangles_[cavity_[real]])) ++real;
+  last_ = cavity_[real];
+}
+
+// Cuts the ghosts off and closes the gaps with the last triangles.
+void DelaunayBuilder::drop_ghosts() {
+  const std::vector<std::uint32_t> ghosts = mark_ghosts();
+  const std::size_t kept = triangles_.size() - ghosts.size();
+  std::size_t from = triangles_.size();
+  for (const std::uint32_t gap : ghosts) {
+    if (gap >= kept) continue;
+    do {
+      --from;
+    } while (is_ghost(triangles_[from]));
+    triangles_[gap] = triangles_[from];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Edge e = triangles_[gap].twin[i];
+      if (e != kNone) triangles_[e >> 2].twin[e & 3U] = gap << 2 | i;
+    }
+  }
+  triangles_.resize(kept);
+}
+
+// The ghosts, found by going around the hull; the twins that lead to them become kNone.
+std::vector<std::uint32_t> DelaunayBuilder::mark_ghosts() {
+  std::uint32_t at = 0;
+  while (!is_ghost(triangles_[at])) ++at;
+  std::vector<std::uint32_t> ghosts;
+  const std::uint32_t start = at;
+  do {
+    ghosts.push_back(at);
+    const Triangle& t = triangles_[at];
+    const std::uint32_t infinity = t.v[0] == ghost_ ? 0 : t.v[1] == ghost_ ? 1 : 2;
+    const Edge inside = t.twin[next(infinity)];
+    triangles_[inside >> 2].twin[inside & 3U] = kNone;
+    at = t.twin[infinity] >> 2;
+  } while (at != start);
+  return ghosts;
 }
 
 }  // namespace quadloom::kernel

@@ -32,7 +32,7 @@ void check_points(std::span<const Point> input, std::size_t limit) {
 
 std::vector<Point> gather(std::span<const Point> points, std::span<const VertexId> order) {
   std::vector<Point> out;
-  out.reserve(order.size());
+  out.reserve(order.size() + 1);  // delaunay() adds a point at infinity
   for (const VertexId v : order) out.push_back(points[v]);
   return out;
 }
