@@ -104,13 +104,6 @@ std::string_view Words::next() {
   return word;
 }
 
-std::string_view Words::rest_of_line() {
-  const auto end = std::min(rest_.find('\n'), rest_.size());
-  const auto line = trimmed(rest_.substr(0, end));
-  rest_.remove_prefix(end);
-  return line;
-}
-
 std::string_view Words::require(std::string_view what) {
   const auto word = next();
   if (word.empty()) fail(fmt::format("the file ends here, expected {}", what));

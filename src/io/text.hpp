@@ -53,7 +53,7 @@ class Lines {
 
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }
-  const Source& source() const { return source_; }
+  std::size_t bytes_left() const { return rest_.size(); }
   [[noreturn]] void fail(const std::string& what) const { fail_at(source_, number_, what); }
 
  private:
@@ -71,8 +71,6 @@ class Words {
 
   /// The next word; empty at the end.
   std::string_view next();
-  /// The rest of the line that the last word is on, and moves past it.
-  std::string_view rest_of_line();
 
   // The next word as a number, or an error that says what was expected.
   std::string_view require(std::string_view what);
@@ -81,7 +79,6 @@ class Words {
   std::uint64_t index(std::string_view what);
 
   std::size_t line() const { return line_; }
-  std::size_t bytes_left() const { return rest_.size(); }
   [[noreturn]] void fail(const std::string& what) const { fail_at(source_, line_, what); }
 
  private:

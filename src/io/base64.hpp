@@ -1,0 +1,15 @@
+// Base64, as .vtu files use it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace quadloom::io {
+
+std::string to_base64(std::string_view bytes);
+
+/// Decodes into `out`; blanks and line ends are skipped, and several encoded pieces with their
+/// padding may follow each other. False if the text is no base64.
+bool from_base64(std::string_view text, std::string& out);
+
+}  // namespace quadloom::io

@@ -1,0 +1,50 @@
+// A mesh being read: vertices and faces as they come, with the checks that all formats share.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/source.hpp"
+#include "quadloom/io.hpp"
+
+namespace quadloom::io {
+
+class MeshBuilder {
+ public:
+  /// `first_index` is the number that the format gives to the first vertex, for messages.
+  explicit MeshBuilder(const Source& source, std::uint64_t first_index = 0)
+      : source_(source), first_index_(first_index) {}
+
+  /// Makes room, but never for more than the text could hold: counts in headers may lie.
+  void reserve(std::uint64_t vertices, std::uint64_t faces);
+
+  std::size_t vertex_count() const { return file_.mesh.points.size(); }
+  std::size_t face_count() const { return file_.mesh.face_count(); }
+
+  /// Coordinates are finite.
+  void add_vertex(double x, double y, double z);
+
+  /// Corners from 0; they may name vertices that come later. `line` is 0 if there are no lines.
+  void add_face(std::span<const std::uint64_t> corners, std::size_t line);
+
+  /// The mesh, every corner a vertex; heights that are all 0 are dropped.
+  MeshFile finish();
+
+ private:
+  struct Forward {
+    std::size_t face;
+    std::uint64_t corner;
+    std::size_t line;
+  };
+  [[noreturn]] void fail(std::size_t line, const std::string& what, ErrorCode code,
+                         std::vector<std::size_t> culprits) const;
+
+  const Source& source_;
+  std::uint64_t first_index_;
+  MeshFile file_;
+  std::vector<Forward> forward_;  // corners that named no vertex yet
+};
+
+}  // namespace quadloom::io
