@@ -8,6 +8,7 @@
 #include "quadrangulate/points_delaunay.hpp"
 #include "quadrangulate/points_insertion.hpp"
 #include "quadrangulate/points_spiral.hpp"
+#include "quadrangulate/points_subdivide.hpp"
 #include "quadrangulate/serpentine.hpp"
 
 namespace quadloom {
@@ -16,13 +17,24 @@ using namespace quadrangulate;
 
 namespace {
 
+/// The methods that start from the Delaunay triangulation.
+std::optional<PointResult> from_delaunay(std::span<const Point> input,
+                                         const PointOptions& options) {
+  DelaunayResult triangulation = delaunay(input);
+  std::optional<PointResult> result;
+  if (options.method == PointMethod::kSubdivide) {
+    result = subdivide_quadrangulation(std::move(triangulation.mesh), options);
+  } else {
+    result = delaunay_quadrangulation(std::move(triangulation.mesh), options);
+  }
+  if (result) result->input_to_vertex = std::move(triangulation.input_to_vertex);
+  return result;
+}
+
 /// What the method makes of the points; empty if it gave up, which no input is known to cause.
 std::optional<PointResult> run_method(std::span<const Point> input, const PointOptions& options) {
-  if (options.method == PointMethod::kDelaunay) {
-    DelaunayResult triangulation = delaunay(input);
-    auto result = delaunay_quadrangulation(std::move(triangulation.mesh), options);
-    if (result) result->input_to_vertex = std::move(triangulation.input_to_vertex);
-    return result;
+  if (options.method == PointMethod::kDelaunay || options.method == PointMethod::kSubdivide) {
+    return from_delaunay(input, options);
   }
   DistinctPoints distinct = points_of_the_plane(input);
   std::optional<PointResult> result;

@@ -35,9 +35,10 @@
 namespace quadloom::quadrangulate {
 namespace {
 
-constexpr int kWidest = 4;    // a needle's edge point moves by at most 2^-4 of the edge's length
+// A needle's edge point moves by 2^-4 of the edge's length at most, and by 2^-62 at least.
+constexpr int kWidest = 4;
+constexpr int kThinnest = 62;
 constexpr double kThin = 0x1p-24;  // height by longest edge of a triangle that may have to give way
-constexpr int kThinnest = 62;  // and at least 2^-62
 
 class Subdivision {
  public:
@@ -84,12 +85,12 @@ class Subdivision {
 
   Triangulation mesh_;
   const Progress& progress_;
-  std::vector<EdgeId> edge_of_;        // of each halfedge
-  std::vector<HalfedgeId> halfedge_;   // of each edge, the first one
+  std::vector<EdgeId> edge_of_;       // of each halfedge
+  std::vector<HalfedgeId> halfedge_;  // of each edge, the first one
   std::vector<Point> edge_place_;
   std::vector<Point> inner_place_;
-  std::vector<EdgeId> hull_;                 // the boundary in order
-  std::vector<std::uint32_t> hull_index_;    // of each edge, its place in hull_, or kNone
+  std::vector<EdgeId> hull_;               // the boundary in order
+  std::vector<std::uint32_t> hull_index_;  // of each edge, its place in hull_, or kNone
   std::optional<SubdivisionBoundary> boundary_;
   std::vector<TriangleId> stuck_;  // no inner place found yet
   std::vector<char> is_stuck_;     // by triangle
@@ -192,10 +193,11 @@ HalfedgeId Subdivision::longest_edge(TriangleId t) const {
 
 /// The boundary bulges at a hull edge; what is behind its chain is placed again.
 void Subdivision::bulge(EdgeId e) {
-  if (!boundary_->bulge_around(hull_index_[e])) return;
-  for (std::size_t i = 0; i < hull_.size(); ++i) {
-    const Point place = boundary_->edge_place(i);
-    if (std::exchange(edge_place_[hull_[i]], place) == place) continue;
+  const auto chain = boundary_->bulge_around(hull_index_[e]);
+  if (!chain) return;
+  for (std::size_t k = 0; k < chain->count; ++k) {
+    const std::size_t i = (chain->first + k) % hull_.size();
+    edge_place_[hull_[i]] = boundary_->edge_place(i);
     settled_[hull_[i]] = 1;
     const TriangleId t = triangle_of(halfedge_[hull_[i]]);
     if (!try_place(t) && !std::exchange(is_stuck_[t], 1)) stuck_.push_back(t);
@@ -327,10 +329,12 @@ void Subdivision::append_caps(PointResult& out) const {
     const auto& place = boundary_->cap(i);
     if (!place) continue;
     const auto cap = static_cast<VertexId>(out.mesh.points.size());
-    const VertexId corner = mesh_.origin(halfedge_[hull_[i]]);
     const EdgeId before = hull_[i == 0 ? hull_.size() - 1 : i - 1];
+    const VertexId corner = mesh_.origin(halfedge_[hull_[i]]);
+    const VertexId last = mesh_.origin(halfedge_[before]);
+    const VertexId next = mesh_.target(halfedge_[hull_[i]]);
     out.mesh.points.push_back(*place);
-    out.steiner.push_back({cap, SteinerKind::kOutside, {corner, kNone, kNone}});
+    out.steiner.push_back({cap, SteinerKind::kOutside, {last, next, corner}});
     for (const VertexId v : {n + before, cap, n + hull_[i], corner}) {
       out.mesh.quad_vertex.push_back(v);
     }

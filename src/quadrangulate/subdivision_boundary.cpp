@@ -18,9 +18,9 @@
 namespace quadloom::quadrangulate {
 namespace {
 
-constexpr int kNudges = 64;                // doublings of one unit in the last place
-constexpr int kHeights = 40;               // halvings and doublings of a bulge's height
-constexpr double kSlightTurn = 0x1p-20;    // sine of a turn that a bulge may go around
+constexpr int kNudges = 64;              // doublings of one unit in the last place
+constexpr int kHeights = 40;             // halvings and doublings of a bulge's height
+constexpr double kSlightTurn = 0x1p-20;  // sine of a turn that a bulge may go around
 
 bool turns_left(Point a, Point b, Point c) { return orient2d(a, b, c) > 0; }
 bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -86,32 +86,34 @@ bool SubdivisionBoundary::almost_straight(std::size_t i) const {
 
 /// The longest chain about edge i whose inner corners are almost straight, then heights from a
 /// sixteenth of its shortest edge on.
-bool SubdivisionBoundary::bulge_around(std::size_t i) {
+std::optional<SubdivisionBoundary::Chain> SubdivisionBoundary::bulge_around(std::size_t i) {
   std::size_t first = i;
   std::size_t count = 1;
   while (almost_straight(first) && count < size()) {
     first = before(first);
     ++count;
   }
-  for (std::size_t end = after(i); almost_straight(end) && count < size(); end = after(end)) ++count;
-  if (count >= size()) return false;
+  for (std::size_t end = after(i); almost_straight(end) && count < size(); end = after(end))
+    ++count;
+  if (count >= size()) return std::nullopt;
 
   double shortest = HUGE_VAL;
   for (std::size_t k = 0, j = first; k < count; ++k, j = after(j)) {
     shortest = std::min(shortest, length(minus(polygon_[after(j)], polygon_[j])));
   }
   for (int power = 4; power < kHeights; ++power) {
-    if (bulge(first, count, std::ldexp(shortest, -power))) return true;
+    if (bulge({first, count}, std::ldexp(shortest, -power))) return Chain{first, count};
   }
   for (int power = -3; power < kHeights; ++power) {
-    if (bulge(first, count, std::ldexp(shortest, power))) return true;
+    if (bulge({first, count}, std::ldexp(shortest, power))) return Chain{first, count};
   }
-  return false;
+  return std::nullopt;
 }
 
-/// Puts the points of `count` edges from `first` on, and the caps between them, on a parabola of that
-/// height over the chain; false and nothing changed if the polygon would not be strictly convex.
-bool SubdivisionBoundary::bulge(std::size_t first, std::size_t count, double height) {
+/// Puts the points of the chain's edges, and the caps between them, on a parabola of that height over
+/// the chain; false and nothing changed if the polygon would not be strictly convex.
+bool SubdivisionBoundary::bulge(Chain chain, double height) {
+  const auto [first, count] = chain;
   const Point start = polygon_[first];
   const Point end = polygon_[(first + count) % size()];
   const Point along = minus(end, start);

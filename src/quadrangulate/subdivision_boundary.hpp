@@ -32,9 +32,12 @@ class SubdivisionBoundary {
   /// The cap of corner i, if it has one.
   const std::optional<Point>& cap(std::size_t i) const { return cap_[i]; }
 
-  /// Makes the chain about edge i bulge, whether it needs to or not; false and nothing changed if it
+  struct Chain {
+    std::size_t first, count;  ///< edges
+  };
+  /// Makes the chain about edge i bulge, whether it needs to or not; none and nothing changed if it
   /// cannot.
-  bool bulge_around(std::size_t i);
+  std::optional<Chain> bulge_around(std::size_t i);
 
  private:
   std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
@@ -43,7 +46,7 @@ class SubdivisionBoundary {
   bool fits(std::size_t i, Point m) const;
   std::optional<Point> place_of(std::size_t i) const;
   bool almost_straight(std::size_t i) const;
-  bool bulge(std::size_t first, std::size_t count, double height);
+  bool bulge(Chain chain, double height);
 
   std::vector<Point> polygon_;
   std::vector<std::optional<Point>> edge_place_;

@@ -35,8 +35,8 @@ bool fits(const SplitTriangle& s, Point g) {
   const auto& [a, b, c] = s.corner;
   const auto& [p, q, r] = s.edge;
   return turns_left(p, q, g) && turns_left(q, r, g) && turns_left(r, p, g) &&  //
-         turns_left(a, p, g) && turns_left(p, b, g) && turns_left(b, q, g) &&
-         turns_left(q, c, g) && turns_left(c, r, g) && turns_left(r, a, g);
+         turns_left(a, p, g) && turns_left(p, b, g) && turns_left(b, q, g) && turns_left(q, c, g) &&
+         turns_left(c, r, g) && turns_left(r, a, g);
 }
 
 double third(double a, double b, double c) {
@@ -64,9 +64,8 @@ double middle_of_column(const std::array<Point, 3>& triangle, double column) {
 }
 
 /// The doubles near the middle of one column that fit; `swapped`: x and y have changed places.
-std::optional<Point> fit_in_column(const SplitTriangle& split,
-                                   const std::array<Point, 3>& triangle, double column,
-                                   bool swapped) {
+std::optional<Point> fit_in_column(const SplitTriangle& split, const std::array<Point, 3>& triangle,
+                                   double column, bool swapped) {
   double up = middle_of_column(triangle, column);
   double down = up;
   for (int i = 0; i <= kAround; ++i) {
