@@ -16,7 +16,7 @@ class EveryGenerator : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryGenerator, EveryMethodKeepsItsPromise) {
   constexpr std::uint64_t kSets = 60;
   for (std::uint64_t seed = 1; seed <= kSets; ++seed) {
-    const std::size_t n = 5 + Random(seed).below(seed % 10 == 0 ? 600 : 60);
+    const std::size_t n = 6 + Random(seed).below(seed % 10 == 0 ? 600 : 60);
     SCOPED_TRACE(GetParam() + ", n = " + std::to_string(n) + ", seed " + std::to_string(seed));
     const std::vector<Point> points = generate_points(GetParam(), n, seed);
     for (const PointMethod method : kAllMethods) {

@@ -81,9 +81,7 @@ TEST(Subdivide, EveryGenerator) {
   }
 }
 
-//      2 b                 The sides are the doubles p and 2 p with nothing between them, twice,
-//     b   .                in one line with the origin: both sides must bulge.
-//    0 a 2 a
+// The origin, a and 2 a are in line, and between a and 2 a there is no double: the run bulges.
 TEST(Subdivide, StraightRunsWithoutDoublesBulge) {
   const Point a = {-0x1.1a2b3c4d5e6f7p-1, 0x1.0b0a09080706fp-1};
   const std::vector<Point> points = {{0, 0}, a, {2 * a.x, 2 * a.y}, {3, 5}};
