@@ -7,7 +7,7 @@
 //   big      integers of any length
 //
 // Each tier is exact where it answers. Integers rather than floating-point expansions in the second
-// tier: no branches, no rounding mode, and about ten times as fast on cocircular points.
+// tier: a handful of multiplications without branches, and nothing to prove about rounding.
 #pragma once
 
 #include <optional>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -34,13 +35,14 @@ bool difference_integers(const std::array<double, N>& p, const std::array<double
   for (std::size_t i = 0; i < N; ++i) {
     d[i] = split_difference(p[i], q[i]);
     largest = std::max(largest, std::fabs(d[i].high));
-    finite = finite && std::fabs(d[i].high) < 0x1p900;
+    finite = finite && std::fabs(d[i].high) < 0x1p900;  // false for NaN
   }
   // Below 2^-900 the scale would overflow; the points are then nearly the smallest doubles.
   if (!finite || (largest < 0x1p-900 && largest > 0)) return false;
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double up = std::ldexp(1.0, 61 - exponent), down = std::ldexp(1.0, exponent - 61);
+  // 2^k for the k that brings the largest to [2^60, 2^61), and 2^-k.
+  const std::uint64_t exponent = largest > 0 ? std::bit_cast<std::uint64_t>(largest) >> 52 : 1023;
+  const auto up = std::bit_cast<double>((2 * 1023 + 60 - exponent) << 52);
+  const auto down = std::bit_cast<double>((exponent - 60) << 52);
   bool exact = true;
   for (std::size_t i = 0; i < N; ++i) {
     const auto high = static_cast<std::int64_t>(d[i].high * up);

@@ -143,10 +143,18 @@ std::vector<Family> families() {
   return out;
 }
 
+kernel::PairVerdict pair_filter(const Points& p, const Points& q) {
+  const auto x = [&](std::size_t i) { return kernel::Pair{p[i].x - p[3].x, q[i].x - q[3].x}; };
+  const auto y = [&](std::size_t i) { return kernel::Pair{p[i].y - p[3].y, q[i].y - q[3].y}; };
+  return kernel::incircle_pair_filter(x(0), y(0), x(1), y(1), x(2), y(2));
+}
+
 TEST(Predicates, AgreeWithRationalsOnEveryTier) {
   for (const Family& family : families()) {
     Random random(20261122);
     SCOPED_TRACE(family.name + ", seed 20261122");
+    Points previous{};
+    int previous_circle = 0;
     for (int i = 0; i < 1000; ++i) {
       const Points p = family.make(random);
       const auto [a, b, c, d] = p;
@@ -162,6 +170,11 @@ TEST(Predicates, AgreeWithRationalsOnEveryTier) {
       ASSERT_TRUE(cross_f == 0 || cross_f == cross) << i;
       ASSERT_TRUE(dot_f == 0 || dot_f == dot) << i;
       ASSERT_TRUE(circle_f == 0 || circle_f == circle) << i;
+      const auto [proven, inside] = pair_filter(p, previous);
+      ASSERT_TRUE(proven[0] == 0 || circle == (inside[0] != 0 ? 1 : -1)) << i;
+      ASSERT_TRUE(proven[1] == 0 || previous_circle == (inside[1] != 0 ? 1 : -1)) << i;
+      previous = p;
+      previous_circle = circle;
       ASSERT_EQ(cross_wide(a, b, c, d).value_or(cross), cross) << i;
       ASSERT_EQ(dot_wide(a, b, c, d).value_or(dot), dot) << i;
       ASSERT_EQ(incircle_wide(a, b, c, d).value_or(circle), circle) << i;
@@ -194,6 +207,8 @@ TEST(Predicates, EveryTierIsReached) {
   EXPECT_EQ(cross_filter(o, x, o, y), 1);
   EXPECT_EQ(dot_filter(o, x, y, {3, 5}), 1);
   EXPECT_EQ(incircle_filter(o, x, y, {0.5, 0.5}), 1);
+  const PairVerdict verdict = pair_filter({o, x, y, {0.5, 0.5}}, {o, x, y, {2, 2}});
+  EXPECT_TRUE(verdict.proven[0] && verdict.inside[0] && verdict.proven[1] && !verdict.inside[1]);
   // Ties: the filter is silent, the wide integers decide.
   EXPECT_EQ(cross_filter(o, xy, o, {3, 3}), 0);
   EXPECT_EQ(cross_wide(o, xy, o, {3, 3}), 0);
@@ -229,6 +244,9 @@ TEST(Predicates, SpecialNumbersAreNeverProven) {
       EXPECT_EQ(incircle_filter(p, b, c, d), 0);
       EXPECT_EQ(incircle_filter(a, p, c, d), 0);
       EXPECT_EQ(incircle_filter(a, b, p, d), 0);
+      EXPECT_EQ(pair_filter({a, b, c, p}, {a, b, c, d}).proven[0], 0);
+      EXPECT_EQ(pair_filter({p, b, c, d}, {a, b, p, d}).proven[1], 0);
+      EXPECT_NE(pair_filter({a, b, c, p}, {a, b, c, d}).proven[1], 0);
     }
   }
 }
