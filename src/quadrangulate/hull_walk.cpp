@@ -22,6 +22,17 @@ int shape_cost(Point a, Point s, Point b, Point c) {
   return static_cast<int>(20 * (1 - kernel::squareness(a, s, b, c)));
 }
 
+std::optional<Point> middle(Point a, Point b) {
+  return Point{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2};
+}
+
+std::optional<Point> place_of_kind(const PairedMesh& mesh, const HullOfMesh& hull, VertexId a,
+                                   VertexId b, SteinerKind kind) {
+  const auto odd = place_of_kind(mesh.point(hull.before(a)), mesh.point(a), mesh.point(b),
+                                 mesh.point(hull.after(b)), kind);
+  return odd ? std::optional(odd->place) : std::nullopt;
+}
+
 /// The free triangles that have a hull vertex: most often one of them is next to a good hull edge
 /// already.
 std::vector<TriangleId> near_hull(const PairedMesh& mesh, const HullOfMesh& hull,
@@ -38,31 +49,33 @@ std::vector<TriangleId> near_hull(const PairedMesh& mesh, const HullOfMesh& hull
 
 std::optional<SteinerPoint> walk_to_hull(PairedMesh& mesh, Walker& walker, const HullOfMesh& hull,
                                          std::span<const TriangleId> free, OddBoundary wish) {
-  const auto place_at = [&](VertexId a, VertexId b, OddBoundary kind) {
-    return place_odd_point(mesh.point(hull.before(a)), mesh.point(a), mesh.point(b),
-                           mesh.point(hull.after(b)), kind);
-  };
-  const SteinerKind wished =
-      wish == OddBoundary::kOutside ? SteinerKind::kOutside : SteinerKind::kOnEdge;
   const std::vector<TriangleId> near = near_hull(mesh, hull, free);
   const std::pair<std::span<const TriangleId>, WalkQuads> tries[] = {
       {near, WalkQuads::kStrictlyConvex},
       {free, WalkQuads::kStrictlyConvex},
       {free, WalkQuads::kAny},
   };
-  for (const bool other_kind : {false, true}) {
-    const Walker::BoundaryCost cost = [&](VertexId a, VertexId b, VertexId c) {
-      const auto place = place_at(a, b, wish);
-      if (!place || (place->kind != wished) != other_kind) return -1;
-      return shape_cost(mesh.point(a), place->place, mesh.point(b), mesh.point(c));
+  for (const SteinerKind kind : kinds_by_wish(wish)) {
+    std::optional<Point> place;
+    const Walker::BoundaryGoal goal = {
+        .cost =
+            [&](VertexId a, VertexId b, VertexId c) {
+              const auto s = kind == SteinerKind::kOnEdge ? middle(mesh.point(a), mesh.point(b))
+                                                          : place_of_kind(mesh, hull, a, b, kind);
+              return s ? shape_cost(mesh.point(a), *s, mesh.point(b), mesh.point(c)) : -1;
+            },
+        // The exact point on an edge can be costly to find, so only where the walk would end.
+        .accept =
+            [&](VertexId a, VertexId b) {
+              place = place_of_kind(mesh, hull, a, b, kind);
+              return place.has_value();
+            },
     };
     for (const auto& [starts, quads] : tries) {
-      const HalfedgeId edge = walker.reach_boundary(starts, cost, {quads});
+      const HalfedgeId edge = walker.reach_boundary(starts, goal, {quads});
       if (edge == kNone) continue;
       const VertexId a = mesh.tri.origin(edge), b = mesh.tri.target(edge);
-      const auto place = place_at(a, b, wish);
-      return SteinerPoint{
-          attach_boundary_point(mesh, edge, place->place), place->kind, {a, b, kNone}};
+      return SteinerPoint{attach_boundary_point(mesh, edge, *place), kind, {a, b, kNone}};
     }
   }
   return std::nullopt;

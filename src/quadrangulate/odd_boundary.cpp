@@ -86,19 +86,6 @@ std::optional<Point> ulp_neighbour(const Region& region, Point centre) {
   return std::nullopt;
 }
 
-std::optional<OddPlace> place_of_kind(Point before, Point a, Point b, Point after,
-                                      SteinerKind kind) {
-  const auto place = kind == SteinerKind::kOutside ? place_outside(before, a, b, after)
-                                                   : kernel::point_on_segment(a, b);
-  if (!place) return std::nullopt;
-  return OddPlace{*place, kind};
-}
-
-std::array<SteinerKind, 2> kinds_by_wish(OddBoundary wish) {
-  if (wish == OddBoundary::kOnEdge) return {SteinerKind::kOnEdge, SteinerKind::kOutside};
-  return {SteinerKind::kOutside, SteinerKind::kOnEdge};
-}
-
 }  // namespace
 
 std::optional<Point> place_outside(Point before, Point a, Point b, Point after) {
@@ -120,6 +107,19 @@ std::optional<Point> place_outside(Point before, Point a, Point b, Point after) 
     if (const auto s = ulp_neighbour(region, centre)) return s;
   }
   return std::nullopt;
+}
+
+std::optional<OddPlace> place_of_kind(Point before, Point a, Point b, Point after,
+                                      SteinerKind kind) {
+  const auto place = kind == SteinerKind::kOutside ? place_outside(before, a, b, after)
+                                                   : kernel::point_on_segment(a, b);
+  if (!place) return std::nullopt;
+  return OddPlace{*place, kind};
+}
+
+std::array<SteinerKind, 2> kinds_by_wish(OddBoundary wish) {
+  if (wish == OddBoundary::kOnEdge) return {SteinerKind::kOnEdge, SteinerKind::kOutside};
+  return {SteinerKind::kOutside, SteinerKind::kOnEdge};
 }
 
 std::optional<OddPlace> place_odd_point(Point before, Point a, Point b, Point after,

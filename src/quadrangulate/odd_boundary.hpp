@@ -1,6 +1,7 @@
 // The place of the one added point when an odd number of points lies on the hull.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -18,6 +19,13 @@ struct OddPlace {
 /// points, counter-clockwise), that sees the edge and leaves the boundary convex, strictly at a, at
 /// b and at the new point. Impossible if the boundary is straight at a or at b.
 std::optional<Point> place_outside(Point before, Point a, Point b, Point after);
+
+/// The wished kind first, then the other one. Not for OddBoundary::kTriangle.
+std::array<SteinerKind, 2> kinds_by_wish(OddBoundary wish);
+
+/// The point of that kind (kOutside or kOnEdge) for the hull edge a -> b.
+std::optional<OddPlace> place_of_kind(Point before, Point a, Point b, Point after,
+                                      SteinerKind kind);
 
 /// The point for the hull edge a -> b: of the wished kind (kOutside or kOnEdge) if there is one
 /// among the doubles, else of the other kind. With the apex c of the inner triangle at the edge the

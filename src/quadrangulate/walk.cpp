@@ -63,9 +63,9 @@ bool Walker::merge(TriangleId start, const WalkLimits& limits) {
   return true;
 }
 
-HalfedgeId Walker::reach_boundary(std::span<const TriangleId> starts, const BoundaryCost& cost,
+HalfedgeId Walker::reach_boundary(std::span<const TriangleId> starts, const BoundaryGoal& goal,
                                   const WalkLimits& limits) {
-  const std::uint32_t end = search(starts, &cost, limits);
+  const std::uint32_t end = search(starts, &goal, limits);
   if (end == kNone) return kNone;
   const VertexId a = nodes_[end].corner[0], b = nodes_[end].corner[1];
   const TriangleId t = apply(end);
@@ -75,7 +75,7 @@ HalfedgeId Walker::reach_boundary(std::span<const TriangleId> starts, const Boun
   return kNone;
 }
 
-std::uint32_t Walker::search(std::span<const TriangleId> starts, const BoundaryCost* boundary,
+std::uint32_t Walker::search(std::span<const TriangleId> starts, const BoundaryGoal* boundary,
                              const WalkLimits& limits) {
   nodes_.clear();
   queue_.clear();
@@ -91,13 +91,15 @@ std::uint32_t Walker::search(std::span<const TriangleId> starts, const BoundaryC
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
     const Entry best = queue_.back();
     queue_.pop_back();
-    if (nodes_[best.node].goal) return best.node;
+    const Node& node = nodes_[best.node];
+    if (node.goal && boundary && !boundary->accept(node.corner[0], node.corner[1])) continue;
+    if (node.goal) return best.node;
     if (nodes_.size() < limits.nodes) expand(best, boundary, limits);
   }
   return kNone;
 }
 
-void Walker::expand(Entry from, const BoundaryCost* boundary, const WalkLimits& limits) {
+void Walker::expand(Entry from, const BoundaryGoal* boundary, const WalkLimits& limits) {
   for (std::size_t i = 0; i < 3; ++i) {
     const HalfedgeId exit = nodes_[from.node].exit[i];
     if (exit == kNone) continue;
@@ -112,11 +114,11 @@ void Walker::expand(Entry from, const BoundaryCost* boundary, const WalkLimits& 
   }
 }
 
-void Walker::try_boundary(Entry from, std::size_t i, const BoundaryCost& boundary) {
+void Walker::try_boundary(Entry from, std::size_t i, const BoundaryGoal& boundary) {
   const auto [a, b, c] =
       std::array{nodes_[from.node].corner[i], nodes_[from.node].corner[(i + 1) % 3],
                  nodes_[from.node].corner[(i + 2) % 3]};
-  const int cost = boundary(a, b, c);
+  const int cost = boundary.cost(a, b, c);
   if (cost < 0) return;
   Node goal{from.node, kNone, {a, b, c}, {kNone, kNone, kNone}};
   goal.goal = true;

@@ -37,13 +37,17 @@ class Walker {
   /// found.
   bool merge(TriangleId start, const WalkLimits& limits);
 
-  /// What it costs to end at the boundary edge a->b with the free triangle a, b, c; negative: not
-  /// there.
-  using BoundaryCost = std::function<int(VertexId a, VertexId b, VertexId c)>;
+  /// Where a walk to the boundary may end: at the edge a->b with the free triangle a, b, c.
+  struct BoundaryGoal {
+    /// What it costs to end there, at least; negative: not there. Called for every edge seen.
+    std::function<int(VertexId a, VertexId b, VertexId c)> cost;
+    /// Whether the walk may really end there. Called for the best edges only, in order of cost.
+    std::function<bool(VertexId a, VertexId b)> accept;
+  };
 
   /// Walks one of the free triangles to the boundary; its boundary halfedge, or kNone and nothing
   /// changed.
-  HalfedgeId reach_boundary(std::span<const TriangleId> starts, const BoundaryCost& cost,
+  HalfedgeId reach_boundary(std::span<const TriangleId> starts, const BoundaryGoal& goal,
                             const WalkLimits& limits);
 
   std::size_t walks() const { return walks_; }
@@ -70,11 +74,11 @@ class Walker {
     bool operator>(const Entry& o) const { return cost != o.cost ? cost > o.cost : node > o.node; }
   };
 
-  std::uint32_t search(std::span<const TriangleId> starts, const BoundaryCost* boundary,
+  std::uint32_t search(std::span<const TriangleId> starts, const BoundaryGoal* boundary,
                        const WalkLimits& limits);
-  void expand(Entry from, const BoundaryCost* boundary, const WalkLimits& limits);
+  void expand(Entry from, const BoundaryGoal* boundary, const WalkLimits& limits);
   void try_goal(Entry from, std::size_t i, const WalkLimits& limits);
-  void try_boundary(Entry from, std::size_t i, const BoundaryCost& boundary);
+  void try_boundary(Entry from, std::size_t i, const BoundaryGoal& boundary);
   void try_ears(Entry from, std::size_t i, const WalkLimits& limits);
   void try_wheel(Entry from, HalfedgeId enter, const QuadBehind& quad, VertexId centre);
   bool may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits);

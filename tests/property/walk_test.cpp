@@ -109,7 +109,9 @@ TEST(Walk, ReachesTheBoundary) {
     while (!mesh.is_free(start)) ++start;
     Walker walker(mesh);
     const HalfedgeId end = walker.reach_boundary(
-        {&start, 1}, [](VertexId, VertexId, VertexId) { return 1; }, {WalkQuads::kAny, kNone, 4});
+        {&start, 1},
+        {[](VertexId, VertexId, VertexId) { return 1; }, [](VertexId, VertexId) { return true; }},
+        {WalkQuads::kAny, kNone, 4});
     ASSERT_NE(end, kNone);
     EXPECT_EQ(mesh.tri.twin[end], kNone);
     EXPECT_TRUE(mesh.is_free(triangle_of(end)));
