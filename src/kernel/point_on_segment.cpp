@@ -16,12 +16,14 @@
 //   4. nearest_in_class     the one of them that is nearest to g/2
 //
 // The search is complete: if it finds nothing, no double point lies inside the segment. Cost: a few
-// operations on integers of about 100 bits; up to 2100 bits and 8400 pieces for segments that cross
-// an axis with huge exponents.
+// operations on integers of about 100 bits, 300 where the segment crosses an axis; 2100 bits and 8400
+// pieces only where it passes the origin closer than the last bit of its coordinates (or spans
+// hundreds of decades).
 #include "kernel/point_on_segment.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <vector>
@@ -166,6 +168,35 @@ std::optional<BigInteger> nearest_in_class(const ResidueClass& wanted, const Big
   return std::nullopt;
 }
 
+/// The exponent of the last bit that is set.
+int last_bit(double v) {
+  if (v == 0) return 1023;
+  int exponent = 0;
+  const auto mantissa = static_cast<long long>(std::ldexp(std::frexp(v, &exponent), kMantissaBits));
+  return exponent - static_cast<int>(kMantissaBits) +
+         std::countr_zero(static_cast<std::uint64_t>(mantissa));
+}
+
+/// A unit that is fine enough where an axis is crossed and smaller and smaller doubles come into view.
+///
+/// Let the ends be integers in the unit w and (p, q) the step between the integer points. A point a + (m / 2^s) (p, q),
+/// m odd, has coordinates whose last bits are w 2^(v - s), v = the twos in p or in q. If s > 53 + v for both,
+/// both coordinates of a double point are smaller than w: only a segment that passes the origin within w has
+/// such points, and one through the origin itself has a better one there.
+std::optional<int> fine_enough_unit(Point a, Point b) {
+  const int w =
+      std::min(std::min(last_bit(a.x), last_bit(a.y)), std::min(last_bit(b.x), last_bit(b.y)));
+  const BigInteger ax = in_units(a.x, w), ay = in_units(a.y, w);
+  const BigInteger dx = in_units(b.x, w) - ax, dy = in_units(b.y, w) - ay;
+  const BigInteger cross = ax * dy - ay * dx;
+  if (cross != 0 && abs(cross) < abs(dx) + abs(dy)) return std::nullopt;
+  const BigInteger g = gcd(dx, dy);
+  const auto twos = [&](const BigInteger& d) {
+    return d == 0 ? 0 : static_cast<int>(lsb(BigInteger(abs(d) / g)));
+  };
+  return w - static_cast<int>(kMantissaBits) - std::max(twos(dx), twos(dy)) - 1;
+}
+
 std::optional<Point> rounded_middle(Point a, Point b) {
   const Point middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2};
   const bool ordered = lex_less(a, b) ? lex_less(a, middle) && lex_less(middle, b)
@@ -178,7 +209,8 @@ std::optional<Point> rounded_middle(Point a, Point b) {
 
 std::optional<Point> point_on_segment(Point a, Point b) {
   if (const auto middle = rounded_middle(a, b)) return middle;
-  const int unit = std::min(unit_exponent(a.x, b.x), unit_exponent(a.y, b.y));
+  const int finest = std::min(unit_exponent(a.x, b.x), unit_exponent(a.y, b.y));
+  const int unit = std::max(finest, fine_enough_unit(a, b).value_or(finest));
   Coordinate x{in_units(a.x, unit), in_units(b.x, unit) - in_units(a.x, unit)};
   Coordinate y{in_units(a.y, unit), in_units(b.y, unit) - in_units(a.y, unit)};
   const BigInteger g = gcd(x.step, y.step);

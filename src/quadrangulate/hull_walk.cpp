@@ -26,8 +26,8 @@ std::optional<Point> middle(Point a, Point b) {
   return Point{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2};
 }
 
-std::optional<Point> place_of_kind(const PairedMesh& mesh, const HullOfMesh& hull, VertexId a,
-                                   VertexId b, SteinerKind kind) {
+std::optional<Point> place_at(const PairedMesh& mesh, const HullOfMesh& hull, VertexId a,
+                              VertexId b, SteinerKind kind) {
   const auto odd = place_of_kind(mesh.point(hull.before(a)), mesh.point(a), mesh.point(b),
                                  mesh.point(hull.after(b)), kind);
   return odd ? std::optional(odd->place) : std::nullopt;
@@ -61,13 +61,13 @@ std::optional<SteinerPoint> walk_to_hull(PairedMesh& mesh, Walker& walker, const
         .cost =
             [&](VertexId a, VertexId b, VertexId c) {
               const auto s = kind == SteinerKind::kOnEdge ? middle(mesh.point(a), mesh.point(b))
-                                                          : place_of_kind(mesh, hull, a, b, kind);
+                                                          : place_at(mesh, hull, a, b, kind);
               return s ? shape_cost(mesh.point(a), *s, mesh.point(b), mesh.point(c)) : -1;
             },
         // The exact point on an edge can be costly to find, so only where the walk would end.
         .accept =
             [&](VertexId a, VertexId b) {
-              place = place_of_kind(mesh, hull, a, b, kind);
+              place = place_at(mesh, hull, a, b, kind);
               return place.has_value();
             },
     };

@@ -30,6 +30,15 @@ TEST_P(EveryGenerator, EveryMethodKeepsItsPromise) {
   }
 }
 
+TEST_P(EveryGenerator, DelaunayNeverFallsBackOnAThousandSets) {
+  for (std::uint64_t seed = 1001; seed <= 2000; ++seed) {
+    const std::size_t n = 6 + Random(seed).below(seed % 10 == 0 ? 300 : 40);
+    SCOPED_TRACE(GetParam() + ", n = " + std::to_string(n) + ", seed " + std::to_string(seed));
+    quadrangulate_checked(generate_points(GetParam(), n, seed), {});
+    if (HasFailure()) return;
+  }
+}
+
 std::vector<std::string> generator_names() {
   std::vector<std::string> names;
   for (const Generator& g : generators()) names.emplace_back(g.name);
