@@ -47,6 +47,7 @@ bool DelaunayBuilder::build() {
   grow_buffers();
   for (std::size_t i = 3; i < order.size(); ++i) insert(order[i]);
   drop_ghosts();
+  points_ = std::vector<Point>();  // freed before the result takes its memory
   return true;
 }
 

@@ -29,6 +29,7 @@ namespace {
 constexpr std::size_t kShortRun = 32;     // sorted by comparisons of coordinates
 constexpr std::size_t kRadixSort = 4096;  // from this size on, counting beats comparing
 constexpr unsigned kDigit = 11;           // three digits for a key of 32 bits
+constexpr std::size_t kTwoDigits = std::size_t{1} << 20;
 constexpr std::size_t kBuckets = std::size_t{1} << kDigit;
 
 using Word = std::uint64_t;  // key << 32 | index
@@ -128,28 +129,46 @@ class SpatialSort {
     return true;
   }
 
+  // By counting, least digit first. Up to a million points the upper 22 bits of the key part nearly
+  // all of them, and two passes are enough; the runs that they leave are sorted by comparing.
   void sort_keys(Run r) {
+    const auto begin = words_.begin() + static_cast<std::ptrdiff_t>(r.begin);
+    const auto end = words_.begin() + static_cast<std::ptrdiff_t>(r.end);
     if (r.end - r.begin < kRadixSort) {
-      std::sort(words_.begin() + static_cast<std::ptrdiff_t>(r.begin),
-                words_.begin() + static_cast<std::ptrdiff_t>(r.end));
-      return;
+      std::sort(begin, end);
+    } else if (r.end - r.begin <= kTwoDigits) {
+      sort_by_digits<2>(r, 64 - 2 * kDigit);
+      for (auto i = begin; i != end;) {
+        const Word upper = *i >> (64 - 2 * kDigit);
+        auto j = i + 1;
+        while (j != end && *j >> (64 - 2 * kDigit) == upper) ++j;
+        if (j - i > 1) std::sort(i, j);
+        i = j;
+      }
+    } else {
+      sort_by_digits<3>(r, 32);
     }
-    std::array<std::array<std::uint32_t, kBuckets>, 3> count{};
-    for (std::size_t i = r.begin; i < r.end; ++i) {
-      for (unsigned d = 0; d < 3; ++d) ++count[d][digit(words_[i], d)];
-    }
+  }
+
+  template <unsigned kDigits>
+  void sort_by_digits(Run r, unsigned lowest) {
+    const auto digit = [lowest](Word w, unsigned d) {
+      return w >> (lowest + d * kDigit) & (kBuckets - 1);
+    };
     const std::size_t n = r.end - r.begin;
     Word *from = words_.data() + r.begin, *to = scratch_.data();
-    for (unsigned d = 0; d < 3; ++d) {
+    std::array<std::array<std::uint32_t, kBuckets>, kDigits> count{};
+    for (std::size_t i = 0; i < n; ++i) {
+      for (unsigned d = 0; d < kDigits; ++d) ++count[d][digit(from[i], d)];
+    }
+    for (unsigned d = 0; d < kDigits; ++d) {
       std::uint32_t sum = 0;
       for (std::uint32_t& c : count[d]) sum += std::exchange(c, sum);
       for (std::size_t i = 0; i < n; ++i) to[count[d][digit(from[i], d)]++] = from[i];
       std::swap(from, to);
     }
-    std::copy(from, from + n, to);  // after three digits the words are in the scratch
+    if (kDigits % 2 == 1) std::copy(from, from + n, to);  // the words ended in the scratch
   }
-
-  static std::size_t digit(Word w, unsigned d) { return w >> (32 + d * kDigit) & (kBuckets - 1); }
 
   void split(Run r) {
     for (std::size_t i = r.begin; i < r.end;) {

@@ -92,6 +92,29 @@ TEST(SpatialOrder, IsAPermutationWithEqualPointsTogether) {
   }
 }
 
+// More points than two digits of the radix sort are used for; cells of a grid, many repeated.
+TEST(SpatialOrder, MoreThanAMillionPoints) {
+  SCOPED_TRACE("seed 4");
+  const std::vector<Point> points =
+      sample(1100000, 4, [](Random& r) { return static_cast<double>(r.below(1000)); });
+  const std::vector<VertexId> order = spatial_order(points);
+  ASSERT_EQ(order.size(), points.size());
+  std::vector<bool> seen(points.size()), closed(1000 * 1000);
+  std::size_t last_cell = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    ASSERT_FALSE(seen.at(order[i]));
+    seen[order[i]] = true;
+    const Point p = points[order[i]];
+    const std::size_t cell = static_cast<std::size_t>(p.x) * 1000 + static_cast<std::size_t>(p.y);
+    ASSERT_FALSE(closed[cell]);
+    if (i > 0 && cell == last_cell) {
+      ASSERT_LT(order[i - 1], order[i]);
+    }
+    if (i > 0 && cell != last_cell) closed[last_cell] = true;
+    last_cell = cell;
+  }
+}
+
 /// The length of the path along the order, over the length of a random one.
 double path_ratio(const std::vector<Point>& points) {
   const std::vector<VertexId> order = spatial_order(points);
