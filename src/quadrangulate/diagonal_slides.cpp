@@ -10,6 +10,9 @@
 namespace quadloom::quadrangulate {
 namespace {
 
+constexpr double kNotAQuad = -1000;
+constexpr double kBestSum = 1.99;  // two squares cannot be bettered
+
 // A non-convex quad is worse than the worst convex one, so that a slide that mends one is always a
 // gain.
 double worth(Point a, Point b, Point c, Point d) {
@@ -23,7 +26,7 @@ double worth(Point a, Point b, Point c, Point d) {
     case QuadKind::kNotSimple:
       break;
   }
-  return -1000;
+  return kNotAQuad;
 }
 
 constexpr double kLeastGain = 1e-9;  // ends the climb despite rounding in the sums
@@ -95,9 +98,11 @@ std::size_t best_parting(const PairedMesh& mesh, const Hexagon& hexagon) {
   for (std::size_t k = 0; k < 6; ++k) p[k] = mesh.point(hexagon.corner[k]);
   const auto worth_of = [&](std::size_t first) {
     const auto at = [&](std::size_t k) { return p[(first + k) % 6]; };
-    return worth(at(0), at(1), at(2), at(3)) + worth(at(3), at(4), at(5), at(0));
+    const double one = worth(at(0), at(1), at(2), at(3));
+    return one == kNotAQuad ? one : one + worth(at(3), at(4), at(5), at(0));
   };
   double best = worth_of(0) + kLeastGain;
+  if (best > kBestSum) return 0;
   std::size_t parting = 0;
   for (const std::size_t first : {1U, 2U}) {
     if (const double sum = worth_of(first); sum > best) {
@@ -122,7 +127,8 @@ std::size_t slide_diagonals(PairedMesh& mesh) {
     for (HalfedgeId edge = 3 * t; edge < 3 * t + 3; ++edge) {
       const HalfedgeId twin = mesh.tri.twin[edge];
       if (mesh.is_free(t) || edge == mesh.mate[t] || twin == kNone) continue;
-      if (mesh.is_free(triangle_of(twin))) continue;
+      // If the neighbour waits too, the edge is looked at from there, when it is its turn.
+      if (waiting[triangle_of(twin)] || mesh.is_free(triangle_of(twin))) continue;
       const Hexagon hexagon = hexagon_at(mesh, edge);
       if (!hexagon.simple) continue;
       const std::size_t parting = best_parting(mesh, hexagon);

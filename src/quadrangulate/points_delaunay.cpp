@@ -34,6 +34,36 @@
 namespace quadloom::quadrangulate {
 namespace {
 
+/// The input's vertices in the order in which the triangles name them, so that neighbours in the plane are neighbours in
+/// memory: the triangles are in spatial order already, the input need not be. Halves the time of the walks.
+class VertexOrder {
+ public:
+  explicit VertexOrder(Triangulation& mesh) : given_(mesh.points) {
+    std::vector<VertexId> place(given_.size(), kNone);
+    for (VertexId& v : mesh.tri_vertex) {
+      if (place[v] == kNone) {
+        place[v] = static_cast<VertexId>(order_.size());
+        mesh.points[place[v]] = given_[v];
+        order_.push_back(v);
+      }
+      v = place[v];
+    }
+  }
+
+  VertexId given(VertexId v) const { return v < order_.size() ? order_[v] : v; }
+
+  /// Back to the input's order; Steiner points keep their places behind.
+  void restore(Quadrangulation& mesh) const {
+    for (VertexId& v : mesh.quad_vertex) v = given(v);
+    for (VertexId& v : mesh.tri_vertex) v = given(v);
+    std::copy(given_.begin(), given_.end(), mesh.points.begin());
+  }
+
+ private:
+  std::vector<Point> given_;
+  std::vector<VertexId> order_;
+};
+
 PairedMesh pair_by_shape(Triangulation&& delaunay) {
   std::vector<HalfedgeId> mate = greedy_shape_matching(delaunay).mate;
   return {std::move(delaunay), std::move(mate)};
@@ -55,18 +85,13 @@ void walk_round(Walker& walker, const PairedMesh& mesh, const WalkLimits& limits
 }
 
 void walk_together(Walker& walker, const PairedMesh& mesh, const Progress& progress) {
-  // Small searches first bring near ones together; what stays after 4,000 nodes has no convex way,
-  // most often.
+  // Small searches first bring near ones together. What has no convex way within 1,000 nodes has none within 4,000
+  // either, three times in four, at twice the cost of all before.
   constexpr WalkLimits kRounds[] = {
-      {WalkQuads::kStrictlyConvex, 40},
-      {WalkQuads::kStrictlyConvex, 400},
-      {WalkQuads::kStrictlyConvex, 4'000},
-      {WalkQuads::kStrictlyConvex, 4'000, 3},
-      {WalkQuads::kAny, 1'000},
-      {WalkQuads::kAny, 100'000},
-      {WalkQuads::kAny, kNone},
-      {WalkQuads::kAny, kNone, 4},
-      {WalkQuads::kAny, kNone, 16},
+      {WalkQuads::kStrictlyConvex, 20},    {WalkQuads::kStrictlyConvex, 100},
+      {WalkQuads::kStrictlyConvex, 1'000}, {WalkQuads::kAny, 1'000},
+      {WalkQuads::kAny, 100'000},          {WalkQuads::kAny, kNone},
+      {WalkQuads::kAny, kNone, 4},         {WalkQuads::kAny, kNone, 16},
       {WalkQuads::kAny, kNone, 255},
   };
   double done = 0;
@@ -84,6 +109,7 @@ std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
   PointResult result;
   result.input_vertices = delaunay.points.size();
   report_progress(options.progress, "pairing", 0);
+  const VertexOrder order(delaunay);
   PairedMesh mesh = pair_by_shape(std::move(delaunay));
   const std::vector<TriangleId> free = free_triangles(mesh);
   result.statistics.unmatched_greedy = free.size();
@@ -93,8 +119,11 @@ std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
   result.statistics.hull_points = hull.size();
   const bool odd = hull.size() % 2 == 1;
   if (odd && options.odd_boundary != OddBoundary::kTriangle) {
-    const auto placed = walk_to_hull(mesh, walker, hull, free, options.odd_boundary);
+    auto placed = walk_to_hull(mesh, walker, hull, free, options.odd_boundary);
     if (!placed) return std::nullopt;
+    for (VertexId& parent : placed->parents) {
+      if (parent != kNone) parent = order.given(parent);
+    }
     result.steiner.push_back(*placed);
   }
   walk_together(walker, mesh, options.progress);
@@ -107,6 +136,7 @@ std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
   result.statistics.walks = walker.walks();
   result.statistics.walk_steps = walker.steps();
   result.mesh = to_quadrangulation(mesh);
+  order.restore(result.mesh);
   return result;
 }
 

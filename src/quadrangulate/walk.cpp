@@ -87,21 +87,18 @@ std::uint32_t Walker::search(std::span<const TriangleId> starts, const BoundaryG
     const auto& v = mesh_.tri.tri_vertex;
     push(0, {kNone, kNone, {v[3 * t], v[3 * t + 1], v[3 * t + 2]}, {3 * t, 3 * t + 1, 3 * t + 2}});
   }
-  while (!queue_.empty()) {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const Entry best = queue_.back();
-    queue_.pop_back();
-    const Node& node = nodes_[best.node];
+  for (std::uint32_t best; (best = queue_.pop()) != kNone;) {
+    const Node& node = nodes_[best];
     if (node.goal && boundary && !boundary->accept(node.corner[0], node.corner[1])) continue;
-    if (node.goal) return best.node;
+    if (node.goal) return best;
     if (nodes_.size() < limits.nodes) expand(best, boundary, limits);
   }
   return kNone;
 }
 
-void Walker::expand(Entry from, const BoundaryGoal* boundary, const WalkLimits& limits) {
+void Walker::expand(std::uint32_t from, const BoundaryGoal* boundary, const WalkLimits& limits) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const HalfedgeId exit = nodes_[from.node].exit[i];
+    const HalfedgeId exit = nodes_[from].exit[i];
     if (exit == kNone) continue;
     const HalfedgeId enter = mesh_.tri.twin[exit];
     if (enter == kNone) {
@@ -114,35 +111,34 @@ void Walker::expand(Entry from, const BoundaryGoal* boundary, const WalkLimits& 
   }
 }
 
-void Walker::try_boundary(Entry from, std::size_t i, const BoundaryGoal& boundary) {
-  const auto [a, b, c] =
-      std::array{nodes_[from.node].corner[i], nodes_[from.node].corner[(i + 1) % 3],
-                 nodes_[from.node].corner[(i + 2) % 3]};
+void Walker::try_boundary(std::uint32_t from, std::size_t i, const BoundaryGoal& boundary) {
+  const auto [a, b, c] = std::array{nodes_[from].corner[i], nodes_[from].corner[(i + 1) % 3],
+                                    nodes_[from].corner[(i + 2) % 3]};
   const int cost = boundary.cost(a, b, c);
   if (cost < 0) return;
-  Node goal{from.node, kNone, {a, b, c}, {kNone, kNone, kNone}};
+  Node goal{from, kNone, {a, b, c}, {kNone, kNone, kNone}};
   goal.goal = true;
-  push(from.cost + static_cast<std::uint32_t>(cost), goal);
+  push(static_cast<std::uint32_t>(cost), goal);
 }
 
-void Walker::try_goal(Entry from, std::size_t i, const WalkLimits& limits) {
-  const Node& node = nodes_[from.node];
+void Walker::try_goal(std::uint32_t from, std::size_t i, const WalkLimits& limits) {
+  const Node& node = nodes_[from];
   const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
   if (search_of_[triangle_of(enter)] == searches_) return;  // the start itself
   const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
   const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.tri.apex(enter));
   const std::uint32_t cost = quad_cost(classify_quad(a, d, b, c), a, d, b, c, limits.quads);
   if (cost == kForbidden) return;
-  Node goal{from.node, enter, node.corner, {kNone, kNone, kNone}};
+  Node goal{from, enter, node.corner, {kNone, kNone, kNone}};
   goal.goal = true;
-  push(from.cost + cost, goal);
+  push(cost, goal);
 }
 
-void Walker::try_ears(Entry from, std::size_t i, const WalkLimits& limits) {
-  const Node node = nodes_[from.node];
+void Walker::try_ears(std::uint32_t from, std::size_t i, const WalkLimits& limits) {
+  const Node node = nodes_[from];
   const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
   const QuadBehind quad = quad_behind(mesh_, enter);
-  if (!may_visit(from.node, std::min(quad.near, quad.far), limits.visits)) return;
+  if (!may_visit(from, std::min(quad.near, quad.far), limits.visits)) return;
 
   const VertexId a = node.corner[i], b = node.corner[(i + 1) % 3], c = node.corner[(i + 2) % 3];
   const std::array<VertexId, 5> corner = {b, c, a, mesh_.tri.origin(quad.side[1]),
@@ -162,11 +158,11 @@ void Walker::try_ears(Entry from, std::size_t i, const WalkLimits& limits) {
     const std::uint32_t cost = quad_cost(turns.without(ear), p[after], p[(ear + 2) % 5],
                                          p[(ear + 3) % 5], p[before], limits.quads);
     if (cost == kForbidden) continue;
-    push(from.cost + cost, {from.node,
-                            enter,
-                            {corner[before], corner[ear], corner[after]},
-                            {side[before], side[ear], kNone},
-                            static_cast<std::int8_t>(ear)});
+    push(cost, {from,
+                enter,
+                {corner[before], corner[ear], corner[after]},
+                {side[before], side[ear], kNone},
+                static_cast<std::int8_t>(ear)});
   }
 }
 
@@ -176,16 +172,17 @@ void Walker::try_ears(Entry from, std::size_t i, const WalkLimits& limits) {
 //     /  z  .
 //    / .   . .
 //   s ------- t
-void Walker::try_wheel(Entry from, HalfedgeId enter, const QuadBehind& quad, VertexId centre) {
+void Walker::try_wheel(std::uint32_t from, HalfedgeId enter, const QuadBehind& quad,
+                       VertexId centre) {
   for (std::size_t k = 0; k < 3; ++k) {
     const HalfedgeId rim = quad.side[k];
     const VertexId s = mesh_.tri.origin(rim), t = mesh_.tri.target(rim);
     if (s == centre || t == centre) continue;
-    push(from.cost + kWheelCost, {from.node,
-                                  enter,
-                                  {s, t, centre},
-                                  {rim, kNone, kNone},
-                                  static_cast<std::int8_t>(kWheel + 2 + static_cast<int>(k))});
+    push(kWheelCost, {from,
+                      enter,
+                      {s, t, centre},
+                      {rim, kNone, kNone},
+                      static_cast<std::int8_t>(kWheel + 2 + static_cast<int>(k))});
   }
 }
 
@@ -204,10 +201,31 @@ bool Walker::may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits) {
   return true;
 }
 
-void Walker::push(std::uint32_t cost, const Node& node) {
-  queue_.push_back({cost, static_cast<std::uint32_t>(nodes_.size())});
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+void Walker::push(std::uint32_t move_cost, const Node& node) {
+  queue_.push(queue_.cost() + move_cost, static_cast<std::uint32_t>(nodes_.size()));
   nodes_.push_back(node);
+}
+
+void Walker::Queue::clear() {
+  for (std::uint32_t c = cost_; size_ > 0; ++c) {
+    size_ -= bucket_[c % kRing].size();
+    bucket_[c % kRing].clear();
+  }
+  cost_ = 0;
+}
+
+void Walker::Queue::push(std::uint32_t cost, std::uint32_t node) {
+  bucket_[cost % kRing].push_back(node);
+  ++size_;
+}
+
+std::uint32_t Walker::Queue::pop() {
+  if (size_ == 0) return kNone;
+  while (bucket_[cost_ % kRing].empty()) ++cost_;
+  const std::uint32_t node = bucket_[cost_ % kRing].back();
+  bucket_[cost_ % kRing].pop_back();
+  --size_;
+  return node;
 }
 
 TriangleId Walker::apply(std::uint32_t end) {

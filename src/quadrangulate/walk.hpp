@@ -68,26 +68,37 @@ class Walker {
     std::int8_t ear = 0;
     bool goal = false;
   };
-  struct Entry {
-    std::uint32_t cost;
-    std::uint32_t node;
-    bool operator>(const Entry& o) const { return cost != o.cost ? cost > o.cost : node > o.node; }
+  /// Nodes waiting to be expanded, by cost. No move costs as much as the ring is long, so that the costs waiting at any
+  /// time fit in one turn of it; among equal costs the last one pushed comes first.
+  class Queue {
+   public:
+    static constexpr std::uint32_t kRing = 128;
+    void clear();
+    void push(std::uint32_t cost, std::uint32_t node);
+    /// The cheapest node, kNone if there is none; its cost is then cost().
+    std::uint32_t pop();
+    std::uint32_t cost() const { return cost_; }
+
+   private:
+    std::array<std::vector<std::uint32_t>, kRing> bucket_;
+    std::uint32_t cost_ = 0;
+    std::size_t size_ = 0;
   };
 
   std::uint32_t search(std::span<const TriangleId> starts, const BoundaryGoal* boundary,
                        const WalkLimits& limits);
-  void expand(Entry from, const BoundaryGoal* boundary, const WalkLimits& limits);
-  void try_goal(Entry from, std::size_t i, const WalkLimits& limits);
-  void try_boundary(Entry from, std::size_t i, const BoundaryGoal& boundary);
-  void try_ears(Entry from, std::size_t i, const WalkLimits& limits);
-  void try_wheel(Entry from, HalfedgeId enter, const QuadBehind& quad, VertexId centre);
+  void expand(std::uint32_t from, const BoundaryGoal* boundary, const WalkLimits& limits);
+  void try_goal(std::uint32_t from, std::size_t i, const WalkLimits& limits);
+  void try_boundary(std::uint32_t from, std::size_t i, const BoundaryGoal& boundary);
+  void try_ears(std::uint32_t from, std::size_t i, const WalkLimits& limits);
+  void try_wheel(std::uint32_t from, HalfedgeId enter, const QuadBehind& quad, VertexId centre);
   bool may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits);
-  void push(std::uint32_t cost, const Node& node);
+  void push(std::uint32_t move_cost, const Node& node);
   TriangleId apply(std::uint32_t node);
 
   PairedMesh& mesh_;
   std::vector<Node> nodes_;
-  std::vector<Entry> queue_;
+  Queue queue_;
   std::vector<std::uint32_t> search_of_;  // per triangle: the last search that visited it
   std::vector<std::uint8_t> visits_;      // and how often
   std::uint32_t searches_ = 0;
