@@ -284,9 +284,9 @@ class VtuWriter {
   template <class T, class Value>
   void write_array(const char* type, const std::string& name, int components, std::size_t count,
                    Value value) {
-    out_ << "<DataArray type=\"" << type << "\" Name=\"" << xml_text(name)
-         << "\" NumberOfComponents=\"" << components << "\" format=\""
-         << (ascii_ ? "ascii" : "binary") << "\">\n";
+    out_ << "<DataArray type=\"" << type << "\" Name=\"" << xml_text(name);
+    if (components > 1) out_ << "\" NumberOfComponents=\"" << components;
+    out_ << "\" format=\"" << (ascii_ ? "ascii" : "binary") << "\">\n";
     if (ascii_) {
       for (std::size_t i = 0; i < count; ++i) out_ << value(i) << (i % 12 == 11 ? '\n' : ' ');
     } else {
@@ -339,9 +339,9 @@ class VtuWriter {
 
   void write_data(const char* group, const std::vector<Attribute>& data) {
     out_ << '<' << group << ">\n";
-    for (const auto& [name, values] : data) {
-      write_array<double>("Float64", name, 1, values.size(),
-                          [&](std::size_t i) { return values[i] + 0.0; });
+    for (const Attribute& attribute : data) {
+      write_array<double>("Float64", attribute.name, 1, attribute.values.size(),
+                          [&](std::size_t i) { return attribute.values[i] + 0.0; });
     }
     out_ << "</" << group << ">\n";
   }

@@ -1,0 +1,57 @@
+// What the fuzzers and the corpus test ask of a reader: any text is read or refused with an Error,
+// and what was read can be written, judged and measured.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "io/mesh_formats.hpp"
+#include "io/point_readers.hpp"
+#include "quadloom/certify.hpp"
+
+namespace quadloom::test {
+
+inline void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fputs(what, stderr);
+  std::abort();
+}
+
+/// True if the text was read.
+inline bool try_points(std::string_view format, std::string_view text) {
+  try {
+    const auto table = io::read_points_text({"input", text}, std::string(format));
+    require(!table.points.empty(), "no points and no error");
+    require(table.z.empty() || table.z.size() == table.points.size(), "not a height a point");
+    require(format == "geojson" || table.line.size() == table.points.size(), "not a line a point");
+    for (const Point p : table.points) {
+      require(std::isfinite(p.x) && std::isfinite(p.y), "a point that is not finite");
+    }
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// True if the text was read.
+inline bool try_mesh(std::string_view format, std::string_view text) {
+  for (const auto& known : io::mesh_formats()) {
+    if (known.name != format) continue;
+    io::MeshFile file;
+    try {
+      file = known.read({"input", text});
+    } catch (const Error&) {
+      return false;
+    }
+    io::check_writable(file);
+    certify_points(file.mesh, file.mesh.points);
+    measure_quality(file.mesh);
+    return true;
+  }
+  require(false, "no such format");
+  return false;
+}
+
+}  // namespace quadloom::test
