@@ -1,3 +1,4 @@
+// Steps 3 to 6 of the algorithm in delaunay.cpp.
 #include "kernel/delaunay_builder.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace quadloom::kernel {
 namespace {
 
-/// Each round inserts this many times as many points as all rounds before it (and one less).
+/// Of so many points all but one belong to the last round, of those left all but one of so many to
+/// the round before it, and so on.
 constexpr std::size_t kRoundRatio = 8;
 constexpr std::size_t kFirstRound = 64;
 

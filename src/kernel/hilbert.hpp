@@ -14,7 +14,7 @@ namespace quadloom::kernel {
 //
 // Four steps at once are a look-up: 4 states x 16 x 16 quarters of quarters.
 struct HilbertTable {
-  std::array<std::uint16_t, 4 * 256> step{};  // position << 2 | next state
+  std::array<std::uint16_t, 1024> step{};  // position << 2 | next state
 
   constexpr HilbertTable() {
     for (unsigned state = 0; state < 4; ++state) {

@@ -24,10 +24,10 @@ std::optional<int> incircle_wide(Point a, Point b, Point c, Point d) {
   if (!difference_integers<6>({a.x, a.y, b.x, b.y, c.x, c.y}, {d.x, d.y, d.x, d.y, d.x, d.y}, v)) {
     return {};
   }
-  const auto minor = [&](int i, int j) {
+  const auto minor = [&](std::size_t i, std::size_t j) {
     return Int128{v[2 * i]} * v[2 * j + 1] - Int128{v[2 * j]} * v[2 * i + 1];
   };
-  const auto lift = [&](int i) {
+  const auto lift = [&](std::size_t i) {
     return Int128{v[2 * i]} * v[2 * i] + Int128{v[2 * i + 1]} * v[2 * i + 1];
   };
   // Each factor is below 2^125, each product below 2^250.
