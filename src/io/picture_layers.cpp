@@ -29,7 +29,7 @@ double typical_spacing(const PlacedMesh& placed) {
   std::vector<float> sorted = placed.spacing;
   if (sorted.empty()) {
     const auto n = static_cast<double>(std::max<std::size_t>(1, placed.at.size()));
-    return std::sqrt(placed.page.width * placed.page.height / n);
+    return 0.6 * std::sqrt(placed.page.width * placed.page.height / n);
   }
   const auto quartile = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 4);
   std::nth_element(sorted.begin(), quartile, sorted.end());
@@ -207,7 +207,7 @@ void paint_overlay(const Canvas& canvas, const Frame& frame, const PageRect& pag
     points += line.points.size();
   }
   const double spacing = std::sqrt(page.width * page.height / static_cast<double>(points));
-  cairo_set_line_width(canvas.cairo(), std::clamp(0.12 * spacing, 0.3, page.width / 500));
+  cairo_set_line_width(canvas.cairo(), std::clamp(0.07 * spacing, 0.3, page.width / 600));
   for (const Polyline& line : overlay) {
     if (line.points.size() < 2) continue;
     if (!line.closed && highest == 0) {
