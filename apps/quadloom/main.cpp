@@ -1,1 +1,72 @@
-int main() { return 0; }
+// The command line: finds the verb, runs it, and turns what went wrong into a sentence and a code.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "exit_codes.hpp"
+#include "quadloom/version.hpp"
+#include "verbs.hpp"
+
+namespace quadloom::app {
+namespace {
+
+constexpr const char* kAbout =
+    "Quadloom: meshes of quadrilaterals from scattered points, exact and certified.\n"
+    "\n"
+    "  quadloom quadrangulate towns.csv -o towns.vtu --picture towns.png\n"
+    "  quadloom VERB --help";
+
+constexpr const char* kFooter =
+    "\nExit codes: 0 done; 1 the mesh does not pass the check; 2 usage; 3 a file or what is in\n"
+    "it; 4 what was asked for does not exist for this input.";
+
+// What the library says, but for a verb that is not there.
+std::string sentence(const CLI::ParseError& e, int argc, char** argv) {
+  const bool no_verb = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr && argc > 1;
+  if (no_verb && argv[1][0] != '-' &&
+      std::string_view(e.what()).find("subcommand") != std::string_view::npos) {
+    return fmt::format("there is no command '{}'", argv[1]);
+  }
+  return e.what();
+}
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app(kAbout, "quadloom");
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("quadloom ") + kVersion);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  Run run;
+  for (const auto add : {add_quadrangulate, add_check, add_quality, add_draw, add_generate,
+                         add_layers, add_compare}) {
+    add(app, run);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    fmt::print(stderr, "quadloom: {}; see quadloom --help\n", sentence(e, argc, argv));
+    return kUsage;
+  }
+  return run();
+}
+
+}  // namespace
+}  // namespace quadloom::app
+
+int main(int argc, char** argv) {
+  using namespace quadloom;
+  try {
+    return app::run_command_line(argc, argv);
+  } catch (const Error& e) {
+    fmt::print(stderr, "quadloom: {}\n", e.what());
+    return app::exit_code(e.code());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "quadloom: not enough memory for this input\n");
+    return app::kInput;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "quadloom: {}\n", e.what());
+    return app::kCheckFailed;
+  }
+}

@@ -77,6 +77,10 @@ void check_sizes(const std::vector<Attribute>& data, std::size_t size, std::stri
 
 std::span<const MeshFormat> mesh_formats() { return kFormats; }
 
+void require_mesh_format(const std::string& path, const std::string& format) {
+  find_format(path, format);
+}
+
 void check_writable(const MeshFile& file) {
   const std::size_t vertices = file.mesh.points.size();
   if (!file.z.empty() && file.z.size() != vertices) {

@@ -1,0 +1,115 @@
+#include "make_mesh.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "elevation.hpp"
+#include "quadloom/kernel.hpp"
+#include "timer.hpp"
+
+namespace quadloom::app {
+namespace {
+
+// The mesh and where its vertices came from, whichever algorithm made it.
+struct Source {
+  PolygonMesh mesh;
+  std::vector<VertexId> input_to_vertex;
+};
+
+Source run_algorithm(const io::PointTable& table, const PointOptions& options, std::size_t k,
+                     MadeMesh& made) {
+  const Timer timer;
+  Source source;
+  if (k == 4) {
+    PointResult result = quadrangulate_points(table.points, options);
+    made.input_vertices = result.input_vertices;
+    made.steiner = std::move(result.steiner);
+    made.statistics = result.statistics;
+    made.seconds = timer.seconds();
+    source = {to_polygon_mesh(result.mesh), std::move(result.input_to_vertex)};
+  }
+  return source;
+}
+
+// What the theorems promise for this input and these options.
+CertifyOptions promised(const MadeMesh& made, const PointOptions& options, std::size_t k) {
+  CertifyOptions promise;
+  promise.corners = k;
+  if (k > 4) {
+    promise.steiner_at_most = k - 3;
+  } else if (options.method == PointMethod::kSubdivide && !made.statistics.fell_back_to_spiral) {
+    promise.strictly_convex = true;
+  } else {
+    const bool odd = made.statistics.hull_points % 2 == 1;
+    const bool triangle = options.odd_boundary == OddBoundary::kTriangle;
+    promise.triangles_allowed = odd && triangle ? 1 : 0;
+    promise.steiner_at_most = odd && !triangle ? 1 : 0;
+  }
+  return promise;
+}
+
+// Every inner edge is in two faces, every boundary edge in one.
+double edge_length(const PolygonMesh& mesh) {
+  const auto length = [&](VertexId a, VertexId b) {
+    return std::hypot(mesh.points[b].x - mesh.points[a].x, mesh.points[b].y - mesh.points[a].y);
+  };
+  double twice = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      twice += length(face[i], face[(i + 1) % face.size()]);
+    }
+  }
+  const std::vector<VertexId> hull = convex_hull(mesh.points);
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    twice += length(hull[i], hull[(i + 1) % hull.size()]);
+  return twice / 2;
+}
+
+void add_attributes(MadeMesh& made) {
+  const PolygonMesh& mesh = made.file.mesh;
+  io::Attribute added{"added", std::vector<double>(mesh.points.size(), 0)};
+  for (const SteinerPoint& s : made.steiner) added.values[s.vertex] = 1;
+  made.file.vertex_data.push_back(std::move(added));
+
+  io::Attribute shape{"shape", {}};
+  shape.values.reserve(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto v = mesh.face(f);
+    const auto at = [&](std::size_t i) { return mesh.points[v[i]]; };
+    shape.values.push_back(v.size() == 4 ? quad_shape(at(0), at(1), at(2), at(3)) : 0);
+  }
+  made.file.face_data.push_back(std::move(shape));
+}
+
+}  // namespace
+
+MadeMesh make_mesh(const io::PointTable& table, const PointOptions& options, std::size_t k) {
+  MadeMesh made;
+  made.input_points = table.points.size();
+  Source source = run_algorithm(table, options, k, made);
+  made.file.mesh = std::move(source.mesh);
+
+  const Timer timer;
+  made.certificate = certify_points(made.file.mesh, table.points, promised(made, options, k));
+  made.certify_seconds = timer.seconds();
+
+  made.quality = measure_quality(made.file.mesh);
+  made.total_edge_length = edge_length(made.file.mesh);
+  if (!table.z.empty()) {
+    Elevation elevation =
+        carry_elevation(table.z, source.input_to_vertex, made.file.mesh.points, made.steiner);
+    made.file.z = std::move(elevation.z);
+    made.other_z = elevation.other_z;
+  }
+  add_attributes(made);
+  return made;
+}
+
+std::vector<VertexId> steiner_vertices(const MadeMesh& made) {
+  std::vector<VertexId> vertices;
+  for (const SteinerPoint& s : made.steiner) vertices.push_back(s.vertex);
+  return vertices;
+}
+
+}  // namespace quadloom::app

@@ -1,0 +1,56 @@
+// Options that several verbs share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "quadloom/io.hpp"
+#include "quadloom/quadrangulate.hpp"
+
+namespace quadloom::app {
+
+/// A file of points: INPUT, --format and --columns.
+struct InputOptions {
+  std::string path;
+  io::ReadPointsOptions reading;
+};
+void add_input(CLI::App& verb, InputOptions& options);
+
+/// How a mesh is made: --odd-boundary and --seed.
+void add_making(CLI::App& verb, PointOptions& options);
+/// An option that is a whole number from `least` to `most`; anything else is a usage error.
+CLI::Option* add_whole_number(CLI::App& verb, const std::string& flag, std::uint64_t initial,
+                              std::uint64_t least, std::uint64_t most, const std::string& help,
+                              std::function<void(std::uint64_t)> set);
+template <std::integral Integer>
+CLI::Option* add_whole(CLI::App& verb, const std::string& flag, Integer& value, std::uint64_t least,
+                       std::uint64_t most, const std::string& help) {
+  return add_whole_number(verb, flag, static_cast<std::uint64_t>(value), least, most, help,
+                          [&value](std::uint64_t v) { value = static_cast<Integer>(v); });
+}
+inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+void add_method(CLI::App& verb, PointMethod& method);
+void add_colour(CLI::App& verb, io::ColourBy& colour);
+
+/// The name of an enum's value as it is written on the command line.
+std::string name_of(PointMethod method);
+std::string name_of(OddBoundary odd_boundary);
+std::string name_of(SteinerKind kind);
+
+/// A file's name without its folder and ending, for titles.
+std::string short_name(const std::string& path);
+
+/// Throws Error kFile, with a sentence, if no file can be made at that path: found out before the
+/// work instead of after it. An empty path and "-" pass.
+void require_writable(const std::string& path);
+/// The same for a mesh, whose name or format must be known.
+void require_mesh(const std::string& path, const std::string& format);
+/// The same for a picture, whose name must have an ending that is known.
+void require_picture(const std::string& path);
+
+}  // namespace quadloom::app
