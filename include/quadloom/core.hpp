@@ -93,6 +93,8 @@ enum class ErrorCode {
   kTooManyPoints,    ///< more than the 32-bit indices can number
   kIndexOutOfRange,  ///< a face names a vertex that is not there; culprits: face, index
   kBadMesh,          ///< not a manifold mesh; culprits: the edge's vertices or the face
+  kCrossing,         ///< input edges that cross or overlap; culprits: the two edges
+  kBadPolygon,       ///< rings that bound no region; culprits: two edges, or the ring
   kParse,            ///< unreadable text; culprits: the line
   kFile,             ///< a file cannot be opened, read or written
   kGuarantee,        ///< what was asked for does not exist for this input

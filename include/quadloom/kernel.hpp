@@ -86,4 +86,55 @@ struct DelaunayResult {
 /// O(n log n) expected.
 DelaunayResult delaunay(std::span<const Point> input);
 
+// ---- Constrained Delaunay: polygons with holes, segments, inner points. ----
+
+/// A polygon with holes: the first ring is the outer one, the others are its holes. Rings may be
+/// given either way around, with or without the first corner again at the end.
+struct Polygon {
+  std::vector<std::vector<Point>> rings;
+};
+
+/// Two of PlanarInput::points.
+struct Segment {
+  VertexId from = kNone;
+  VertexId to = kNone;
+};
+
+/// What constrained_delaunay triangulates. The input points are numbered with the polygons' corners
+/// first, ring by ring, then `points`; the input edges likewise: edge i of a ring starts at input
+/// point i, the segments follow.
+struct PlanarInput {
+  std::vector<Polygon> polygons;
+  std::vector<Point> points;  ///< inner points, ends of segments
+  std::vector<Segment> segments;
+  std::vector<Point> holes;    ///< without polygons: a place in each enclosed part to leave out
+  std::vector<Point> regions;  ///< without polygons: a place in each part that shall have a name
+};
+
+enum class Extent {
+  kInside,  ///< the inside of the polygons; if there are none, what the segments enclose
+  kHull,    ///< the convex hull of everything
+};
+
+struct ConstrainedResult {
+  Triangulation mesh;                     ///< vertices in the order of first occurrence
+  std::vector<VertexId> input_to_vertex;  ///< duplicates merged; kNone: outside, left out
+  std::vector<std::uint32_t> edge;        ///< per halfedge: the input edge it is on, or kNone
+  std::vector<std::uint32_t> part;  ///< per triangle: the polygon or else the region, or kNone
+};
+
+/// The constrained Delaunay triangulation, exact, without new points: every input edge is an edge of
+/// it, or a chain of edges where points lie on it, and every other edge is locally Delaunay. Ties as
+/// in delaunay(), so the triangles do not depend on the order of the input. Two polygons may share
+/// whole edges, a segment may repeat an edge; the edge then counts as the first one. Where an input
+/// point is on two edges they meet there and do not cross. Rings may touch
+/// at corners, others or themselves, as long as each edge has the inside of its polygon on its inner
+/// side and no part is in two polygons. Throws Error kCrossing (edges that cross or overlap, named
+/// by number), kBadPolygon (a ring of fewer than three places, rings that are not nested as outer
+/// ring and holes, polygons that overlap, nothing inside), kIndexOutOfRange (culprits: segment,
+/// index), kBadOption (holes or regions beside polygons, or on an edge), and as delaunay(). Polygons
+/// and segments of n corners: O(n log n) expected, and the edges that the segments cross.
+ConstrainedResult constrained_delaunay(const PlanarInput& input, Extent extent = Extent::kInside);
+ConstrainedResult constrained_delaunay(const Polygon& polygon, std::span<const Point> inner = {});
+
 }  // namespace quadloom

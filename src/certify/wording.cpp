@@ -1,28 +1,13 @@
 #include "certify/wording.hpp"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 
 namespace quadloom::certify {
 namespace {
 
 constexpr std::size_t kMostNamed = 8;
 
-std::string number_text(double v) {
-  std::array<char, 40> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), v).ptr;
-  return {buffer.data(), end};
-}
-
 }  // namespace
-
-std::string point_text(Point p) {
-  std::string out = "(";
-  out += number_text(p.x);
-  out += ", ";
-  out += number_text(p.y);
-  return out += ')';
-}
 
 std::string vertex_text(const PolygonMesh& mesh, std::size_t v) {
   std::string out = "vertex ";

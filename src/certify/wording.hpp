@@ -4,12 +4,12 @@
 #include <span>
 #include <string>
 
+#include "core/point_text.hpp"
 #include "quadloom/core.hpp"
 
 namespace quadloom::certify {
 
-/// "(0.5, 1e+300)", digits that read back the same.
-std::string point_text(Point p);
+using quadloom::point_text;
 
 /// "vertex 7 (0.5, 1)".
 std::string vertex_text(const PolygonMesh& mesh, std::size_t v);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernel/perturbed_incircle.hpp"
 #include "kernel/predicates_inline.hpp"
 
 namespace quadloom::kernel {
@@ -20,18 +21,6 @@ std::uint64_t hash(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
   return z ^ (z >> 31);
-}
-
-/// incircle(a, b, c, p) for a cocircular tie of distinct points, a, b, c counter-clockwise: the
-/// sign when the lexicographically largest of the four is lifted a little off the paraboloid.
-int perturbed_incircle(Point a, Point b, Point c, Point p) {
-  const auto largest = [&](Point q, Point r, Point s, Point t) {
-    return lex_less(r, q) && lex_less(s, q) && lex_less(t, q);
-  };
-  if (largest(p, a, b, c)) return -1;
-  if (largest(c, a, b, p)) return orient(a, b, p);
-  if (largest(b, a, c, p)) return orient(a, p, c);
-  return orient(p, b, c);
 }
 
 }  // namespace
