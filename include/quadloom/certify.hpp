@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadloom/core.hpp"
+#include "quadloom/kernel.hpp"
 
 namespace quadloom {
 
@@ -15,7 +16,8 @@ struct CertifyOptions {
   std::size_t corners = 4;  // of every face but the allowed triangles
   std::size_t triangles_allowed = 0;
   std::size_t steiner_at_most = std::numeric_limits<std::size_t>::max();
-  bool steiner_inside = false;   // no Steiner point on the boundary
+  bool steiner_inside = false;  // no Steiner point on the boundary
+  bool outer_steiner = false;   // an edge a-b of the given boundary may be a-s-b, s a Steiner point
   bool strictly_convex = false;  // every face of `corners` corners turns strictly left everywhere
 };
 
@@ -32,7 +34,8 @@ enum class Fault {
   kRepeatedEdge,    ///< a directed edge in two faces
   kRepeatedVertex,  ///< two used vertices at the same place
   kMissingPoint,    ///< an input point that is no vertex of a face
-  kBoundary,        ///< boundary not one simple, weakly convex cycle that goes around once
+  kBoundary,        ///< boundary not one simple, weakly convex cycle that goes around once; or not
+                    ///< that of the polygons or the source
   kTooManyTriangles,
   kTooManySteiner,
   kSteinerOnBoundary,
@@ -65,6 +68,20 @@ struct Certificate {
 /// than three corners. Near-linear.
 Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
                            const CertifyOptions& options = {});
+
+/// The same for polygons: the mesh's boundary must be their rings (an edge may be split by vertices
+/// on it, steiner_inside forbids Steiner points there; edges that two polygons share are none of the
+/// boundary), it must wind around its inside once, and corners and inner points must be vertices.
+/// With outer_steiner an edge may be replaced by two. `boundary` counts its edges. Throws Error
+/// kTooFewPoints for no polygons. O(n + b log b), b the edges of the boundary.
+Certificate certify_polygons(const PolygonMesh& mesh, std::span<const Polygon> polygons,
+                             std::span<const Point> inner = {}, const CertifyOptions& options = {});
+
+/// The same for a planar mesh that was made from another: the boundary must be the source's and the
+/// vertices that the source uses must be vertices. Throws Error kBadMesh, kIndexOutOfRange (a source
+/// that is no mesh), kTooFewPoints.
+Certificate certify_mesh(const PolygonMesh& mesh, const PolygonMesh& source,
+                         const CertifyOptions& options = {});
 
 /// Shape figures of a mesh. Angles in degrees; an edge between two faces counts once.
 struct Quality {

@@ -9,7 +9,8 @@
 //   5. check_edges       no directed edge is in two faces
 //   6. check_distinct    no two used vertices at the same place
 //   7. check_input       every input point is a used vertex, bit for bit (-0.0 is 0.0)
-//   8. check_boundary    the edges without a reverse: one weakly convex cycle, once around
+//   8. check_boundary    the edges without a reverse: one weakly convex cycle, once around; or, for
+//                        polygons and meshes (check_outline), the given edges, winding once
 //   9. check_steiner     how many vertices are no input points, and whether any is on the boundary
 //
 // Each step may rely on those before it. Unused vertices are not looked at. Cost: linear in the
@@ -25,6 +26,7 @@
 #include "certify/boundary.hpp"
 #include "certify/edges.hpp"
 #include "certify/layout.hpp"
+#include "certify/outline.hpp"
 #include "certify/places.hpp"
 #include "certify/polygon.hpp"
 #include "certify/wording.hpp"
@@ -35,6 +37,7 @@ namespace {
 using certify::DirectedEdge;
 using certify::face_text;
 using certify::judge_polygon;
+using certify::OutlineEdge;
 using certify::Places;
 using certify::point_text;
 using certify::vertex_text;
@@ -44,8 +47,10 @@ constexpr std::size_t kMostCulprits = 16;
 
 class Judge {
  public:
-  Judge(const PolygonMesh& mesh, std::span<const Point> input, const CertifyOptions& options)
-      : mesh_(mesh), input_(input), options_(options), places_(mesh.points) {}
+  /// Without an outline the boundary must be convex.
+  Judge(const PolygonMesh& mesh, std::span<const Point> input, const CertifyOptions& options,
+        const std::vector<OutlineEdge>* outline = nullptr)
+      : mesh_(mesh), input_(input), options_(options), outline_(outline), places_(mesh.points) {}
 
   Certificate judge() {
     (void)(check_layout() && check_corners() && check_finite() && check_shapes() && check_edges() &&
@@ -73,6 +78,7 @@ class Judge {
   bool check_distinct();
   bool check_input();
   bool check_boundary();
+  bool check_outline();
   bool check_steiner();
 
   bool has_repeated_corner(std::span<const VertexId> corners);
@@ -82,6 +88,7 @@ class Judge {
   const PolygonMesh& mesh_;
   std::span<const Point> input_;
   const CertifyOptions& options_;
+  const std::vector<OutlineEdge>* outline_;
   Certificate out_;
 
   std::vector<Role> role_;
@@ -264,7 +271,22 @@ bool Judge::check_input() {
                std::move(culprits));
 }
 
+bool Judge::check_outline() {
+  std::vector<std::uint8_t> is_steiner(role_.size());
+  for (std::size_t v = 0; v < role_.size(); ++v) is_steiner[v] = role_[v] == Role::kSteiner ? 1 : 0;
+  auto report = certify::match_outline(mesh_, boundary_edges_, *outline_, places_, is_steiner,
+                                       options_.outer_steiner);
+  if (report.sentence.empty()) report = certify::judge_winding(mesh_, boundary_edges_);
+  if (!report.sentence.empty()) {
+    return fault(Fault::kBoundary, std::move(report.sentence), std::move(report.culprits));
+  }
+  for (const DirectedEdge& e : boundary_edges_) boundary_.push_back(e.from);
+  out_.boundary = boundary_edges_.size();
+  return true;
+}
+
 bool Judge::check_boundary() {
+  if (outline_ != nullptr) return check_outline();
   auto report = certify::judge_boundary(mesh_, boundary_edges_);
   if (!report.sentence.empty()) {
     return fault(Fault::kBoundary, std::move(report.sentence), std::move(report.culprits));
@@ -290,15 +312,45 @@ bool Judge::check_steiner() {
                vertex_text(mesh_, *on_rim) + " is on the boundary and no input point", {*on_rim});
 }
 
+void check_options(const CertifyOptions& options) {
+  if (options.corners >= 3) return;
+  throw Error(ErrorCode::kBadOption,
+              "faces have three corners at least, not " + std::to_string(options.corners));
+}
+
 }  // namespace
 
 Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
                            const CertifyOptions& options) {
-  if (options.corners < 3) {
-    throw Error(ErrorCode::kBadOption,
-                "faces have three corners at least, not " + std::to_string(options.corners));
-  }
+  check_options(options);
   return Judge(mesh, input, options).judge();
+}
+
+Certificate certify_polygons(const PolygonMesh& mesh, std::span<const Polygon> polygons,
+                             std::span<const Point> inner, const CertifyOptions& options) {
+  check_options(options);
+  std::vector<Point> input;
+  for (const Polygon& polygon : polygons) {
+    for (const auto& ring : polygon.rings) input.insert(input.end(), ring.begin(), ring.end());
+  }
+  input.insert(input.end(), inner.begin(), inner.end());
+  if (input.empty()) throw Error(ErrorCode::kTooFewPoints, "there are no polygons to judge by");
+  const auto outline = certify::outline_of(polygons);
+  return Judge(mesh, input, options, &outline).judge();
+}
+
+Certificate certify_mesh(const PolygonMesh& mesh, const PolygonMesh& source,
+                         const CertifyOptions& options) {
+  check_options(options);
+  const auto outline = certify::outline_of(source);
+  std::vector<std::uint8_t> used(source.points.size(), 0);
+  for (const VertexId v : source.face_vertex) used[v] = 1;
+  std::vector<Point> input;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] != 0) input.push_back(source.points[v]);
+  }
+  if (input.empty()) throw Error(ErrorCode::kTooFewPoints, "the source has no faces");
+  return Judge(mesh, input, options, &outline).judge();
 }
 
 }  // namespace quadloom

@@ -13,11 +13,10 @@
 // that touches itself or others at corners passes if each part is still claimed by one; one that
 // crosses itself at a corner does not. Cost: linear.
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "kernel/planar_region.hpp"
-#include "kernel/predicates_inline.hpp"
+#include "kernel/ring_direction.hpp"
 
 namespace quadloom::kernel {
 namespace {
@@ -65,25 +64,9 @@ class PolygonParts {
   std::vector<TriangleId> component_;
 };
 
-//      .                    All edges at the smallest corner m go to the right of it. The one that
-//     /  ____               is clockwise of all others has the outside on its right as seen from m:
-//    m--'                   if the ring leaves m along it, the ring is counter-clockwise.
-//     \____
 bool PolygonParts::inner_is_left(const RingRange& ring) const {
   const auto corners = edges_.points().subspan(ring.first, ring.size);
-  const Point m = *std::min_element(corners.begin(), corners.end(), lex_less);
-  Point lowest = m;
-  bool leaves = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
-    if ((a == m) == (b == m)) continue;
-    const Point other = a == m ? b : a;
-    if (lowest == m || orient(m, lowest, other) < 0) {
-      lowest = other;
-      leaves = a == m;
-    }
-  }
-  return leaves == (ring.ring == 0);
+  return goes_counter_clockwise(corners) == (ring.ring == 0);
 }
 
 bool PolygonParts::inner_is_left_of(std::uint32_t edge, Point from, Point to) const {
