@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "quadloom/core.hpp"
+#include "quadloom/kernel.hpp"
 
 namespace quadloom::io {
 
@@ -64,6 +65,24 @@ void require_mesh_format(const std::string& path, const std::string& format = {}
 /// Heights that are all 0 count as none. Throws Error kParse (culprit: the line where there is
 /// one), kNotFinite, kIndexOutOfRange (culprits: face, index), kFile, kBadOption.
 MeshFile read_mesh(const std::string& path, const std::string& format = {});
+
+/// Polygons, segments and points for constrained_delaunay, with what files carry beside them.
+struct PlanarFile {
+  PlanarInput input;
+  std::vector<double> z;                ///< per input point (the corners first), or empty
+  std::vector<Attribute> polygon_data;  ///< GeoJSON: the numbers of the polygon's feature, else NaN
+  std::vector<Attribute> point_data;    ///< .poly: attributes and markers of `input.points`
+  std::vector<Attribute> segment_data;  ///< .poly: markers
+  std::vector<Attribute> region_data;   ///< .poly: attribute and area limit
+};
+
+/// Reads .geojson .json (Polygon and MultiPolygon; LineString and MultiLineString are segments, Point
+/// and MultiPoint inner points) and Triangle's .poly, which takes its points from the .node beside it
+/// if it has none; "-" is standard input (needs `format`, the extension). The first corner again at
+/// the end of a ring is dropped. Whether polygons are valid is for constrained_delaunay to say. Throws
+/// Error kParse, kNotFinite, kIndexOutOfRange (culprits: the line where there is one), kFile,
+/// kBadOption; kTooFewPoints for a file without anything.
+PlanarFile read_planar(const std::string& path, const std::string& format = {});
 
 /// Writes a text file by temporary name and rename; "-" is standard output. For reports.
 void write_text(const std::string& path, std::string_view text);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "io/mesh_formats.hpp"
+#include "io/planar_readers.hpp"
 #include "io/point_readers.hpp"
 #include "quadloom/certify.hpp"
 
@@ -52,6 +53,29 @@ inline bool try_mesh(std::string_view format, std::string_view text) {
   }
   require(false, "no such format");
   return false;
+}
+
+/// True if the text was read. What was read is triangulated, or refused with an Error; the result is
+/// judged.
+inline bool try_planar(std::string_view format, std::string_view text) {
+  io::PlanarFile file;
+  try {
+    file = io::read_planar_text({"input", text}, std::string(format),
+                                [] { return std::string("3 2\n1 0 0\n2 1 0\n3 0 1\n"); });
+  } catch (const Error&) {
+    return false;
+  }
+  try {
+    const ConstrainedResult result = constrained_delaunay(file.input);
+    if (file.input.polygons.empty()) return true;
+    CertifyOptions options;
+    options.corners = 3;
+    const auto verdict =
+        certify_polygons(to_polygon_mesh(result.mesh), file.input.polygons, {}, options);
+    require(verdict.ok(), verdict.sentence.c_str());
+  } catch (const Error&) {
+  }
+  return true;
 }
 
 }  // namespace quadloom::test
