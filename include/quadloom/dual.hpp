@@ -69,6 +69,47 @@ MaximumMatching maximum_matching(const DualGraph& graph, const DualMatching& sta
 /// from the graph alone. O(n).
 bool verify_tutte_berge(const DualGraph& graph, const MaximumMatching& result);
 
+// ---- Matchings with weights. Weights are integers by halfedge, the same on both sides. ----
+
+/// What the best matching is.
+enum class MatchingGoal {
+  kWeight,          ///< the greatest weight; edges of weight 0 or less need not be used
+  kSizeThenWeight,  ///< the greatest weight among the matchings of the greatest size; perfect if
+                    ///< there is a perfect one
+};
+
+/// Why no matching is better (Edmonds' linear program): the duals of the nodes of an edge and of the
+/// sets that hold both of them sum up to at least twice its weight plus bonus; over all nodes, and
+/// sets times half their size rounded down, the duals sum up to that of the matching. No dual is
+/// negative. The bonus is 0, or for kSizeThenWeight so large that size counts first.
+struct WeightCertificate {
+  std::int64_t bonus = 0;
+  std::vector<std::int64_t> node_dual;
+  std::vector<std::uint32_t> set_of_node;  ///< the smallest set that holds the node, kNone if none
+  std::vector<std::uint32_t> parent_of_set;  ///< the next larger set, kNone if none
+  std::vector<std::int64_t> set_dual;
+};
+
+struct MaximumWeightMatching {
+  DualMatching matching;
+  std::int64_t weight = 0;  ///< of the matching
+  WeightCertificate certificate;
+};
+
+/// The best matching, proven. Throws Error kBadOption if the weights are not one a halfedge and the
+/// same on both sides, or so large that sums do not fit 62 bits. Seconds for a million nodes.
+MaximumWeightMatching maximum_weight_matching(const DualGraph& graph,
+                                              std::span<const std::int32_t> weight,
+                                              MatchingGoal goal);
+
+/// Whether the matching is one, has the weight that it says, and the certificate proves that none is
+/// better; from the graph and the weights alone.
+bool verify_weight(const DualGraph& graph, std::span<const std::int32_t> weight, MatchingGoal goal,
+                   const MaximumWeightMatching& result);
+
+/// The weight of a matching.
+std::int64_t weight_of(const DualMatching& matching, std::span<const std::int32_t> weight);
+
 // ---- Trees (Ramaswami, Ramos and Toussaint, section 3). A forest is taken tree by tree. ----
 
 /// Theorem 3.1: a maximum matching of a forest. Throws Error kBadMesh if the graph has a cycle.

@@ -48,6 +48,21 @@ inline DualGraph random_forest(TriangleId n, bool stringy, Random& random) {
   return graph;
 }
 
+/// The same weight on both sides of each edge, from small ranges (many ties) or large ones, some of
+/// them negative.
+inline std::vector<std::int32_t> random_weights(const DualGraph& graph, Random& random) {
+  constexpr std::int32_t kWidth[] = {1, 2, 5, 40, 1000, 1 << 20};
+  const std::int32_t width = kWidth[random.below(6)];
+  const auto least = static_cast<std::int32_t>(random.below(3)) == 0 ? -width / 2 : 1;
+  std::vector<std::int32_t> weight(graph.twin.size());
+  for (HalfedgeId h = 0; h < graph.twin.size(); ++h) {
+    if (graph.twin[h] == kNone || graph.twin[h] < h) continue;
+    weight[h] = least + static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(width)));
+    weight[graph.twin[h]] = weight[h];
+  }
+  return weight;
+}
+
 /// The size and weight of the best matching: the greatest size first, or the greatest weight alone.
 struct BestMatching {
   std::int64_t size = 0;
