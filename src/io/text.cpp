@@ -111,7 +111,8 @@ std::string_view Words::require(std::string_view what) {
 }
 
 double Words::finite(std::string_view what) {
-  return finite_number(source_, line_, require(what), what);
+  const auto word = require(what);  // first: it moves on to the word's line
+  return finite_number(source_, line_, word, what);
 }
 
 double Words::number(std::string_view what) {
