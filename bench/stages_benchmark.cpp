@@ -80,8 +80,7 @@ void add_rows(const char* name, Stage stage, const std::vector<std::string>& kin
     for (const std::size_t n : {10'000U, 100'000U, 1'000'000U}) {
       const std::string row = std::string(name) + "/" + kind + "/" + std::to_string(n);
       benchmark::RegisterBenchmark(
-          row.c_str(),
-          [=](benchmark::State& state) { stage(state, points_of(kind, n)); })
+          row.c_str(), [=](benchmark::State& state) { stage(state, points_of(kind, n)); })
           ->Unit(benchmark::kMillisecond)
           ->MinTime(0.2);
     }
