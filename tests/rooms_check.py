@@ -81,6 +81,8 @@ def check_public_headers(root):
     headers = {path.stem for path in root.glob("include/quadloom/*.hpp")} - {"quadloom"}
     for room in sorted(rooms - headers):
         yield f"src/{room}: has no public header include/quadloom/{room}.hpp"
+    for room in sorted(headers - rooms):
+        yield f"include/quadloom/{room}.hpp: is no room of src/"
     all_of_it = root / "include/quadloom/quadloom.hpp"
     named = {room_of_include(name) for _, _, _, name in includes(all_of_it)}
     for room in sorted((headers & set(LIBRARY)) - named):
@@ -128,6 +130,7 @@ def self_test():
         ("src/attic/old.cpp", "", "attic is not a room"),
         ("src/dual/graph.cpp", "", "has no public header"),
         ("include/quadloom/attic.hpp", "", "attic is not a room"),
+        ("include/quadloom/strips.hpp", "", "is no room of src/"),
         ("include/quadloom/kernel.hpp", "#include <boost/x.hpp>", "standard library alone"),
         ("include/quadloom/kernel.hpp", '#include "kernel/a.hpp"', "public headers alone"),
         ("include/quadloom/quadloom.hpp", '#include "quadloom/core.hpp"', "lacks quadloom/kernel.hpp"),
