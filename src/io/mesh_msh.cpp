@@ -105,7 +105,7 @@ class MshReader {
   }
 
   void sort_tags() {
-    std::ranges::sort(tags_);
+    std::ranges::sort(tags_, {}, &Tag::number);
     const auto same = [](const Tag& a, const Tag& b) { return a.number == b.number; };
     const auto twice = std::ranges::adjacent_find(tags_, same);
     if (twice != tags_.end()) words_.fail(fmt::format("node {} is there twice", twice->number));
@@ -175,7 +175,6 @@ class MshReader {
   struct Tag {
     std::uint64_t number;
     VertexId vertex;
-    friend auto operator<=>(const Tag&, const Tag&) = default;
   };
 
   const Source& source_;
