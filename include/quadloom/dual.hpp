@@ -71,6 +71,15 @@ bool verify_tutte_berge(const DualGraph& graph, const MaximumMatching& result);
 
 // ---- Matchings with weights. Weights are integers by halfedge, the same on both sides. ----
 
+/// The weight of a pair of triangles by shape: 1 + 65,535 x quad_shape of their quad, rounded down,
+/// if it is strictly convex (exactly), else 0. The same integers on every platform.
+std::vector<std::int32_t> shape_weights(const Triangulation& mesh);
+
+/// The graph without the edges that weigh less than `least`: with shape weights and 1, the pairs
+/// that are strictly convex.
+DualGraph heavy_edges(const DualGraph& graph, std::span<const std::int32_t> weight,
+                      std::int32_t least);
+
 /// What the best matching is.
 enum class MatchingGoal {
   kWeight,          ///< the greatest weight; edges of weight 0 or less need not be used
@@ -101,6 +110,19 @@ struct MaximumWeightMatching {
 MaximumWeightMatching maximum_weight_matching(const DualGraph& graph,
                                               std::span<const std::int32_t> weight,
                                               MatchingGoal goal);
+
+/// A good matching in about half of the time: the first rounds of the exact algorithm, then, for
+/// kSizeThenWeight, the missing pairs by maximum_matching. The size is exact, the weight is within
+/// upper_bound - weight of the best one (figures: docs/algorithms/matching.md). Throws as
+/// maximum_weight_matching.
+struct NearMaximumMatching {
+  DualMatching matching;
+  std::int64_t weight = 0;
+  std::int64_t upper_bound = 0;  ///< no matching of the goal weighs more
+};
+NearMaximumMatching near_maximum_weight_matching(const DualGraph& graph,
+                                                 std::span<const std::int32_t> weight,
+                                                 MatchingGoal goal);
 
 /// Whether the matching is one, has the weight that it says, and the certificate proves that none is
 /// better; from the graph and the weights alone.

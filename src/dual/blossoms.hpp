@@ -26,7 +26,8 @@ class Blossoms {
 
   bool is_blossom(SetId s) const { return s >= node_count_; }
   std::size_t size() const { return set_.size(); }  // numbers in use are below
-  bool is_at_top(SetId s) const { return set_[s].parent == kNone && !set_[s].unused; }
+  bool is_in_use(SetId s) const { return !set_[s].unused; }
+  bool is_at_top(SetId s) const { return set_[s].parent == kNone && is_in_use(s); }
   /// How many nodes the set holds.
   std::uint32_t count(SetId s) const { return is_blossom(s) ? count_[s - node_count_] : 1; }
   SetId parent(SetId s) const { return set_[s].parent; }

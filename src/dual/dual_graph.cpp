@@ -1,6 +1,7 @@
 // The dual graph of a triangulation, with or without forbidden edges, and its spanning forest.
 #include <string>
 
+#include "dual/weights.hpp"
 #include "quadloom/dual.hpp"
 
 namespace quadloom {
@@ -39,6 +40,16 @@ DualGraph dual_graph(const Triangulation& mesh, std::span<const std::uint8_t> fo
     graph.twin[h] = kNone;
   }
   return graph;
+}
+
+DualGraph heavy_edges(const DualGraph& graph, std::span<const std::int32_t> weight,
+                      std::int32_t least) {
+  dual::check_weights(graph, weight);
+  DualGraph heavy = graph;
+  for (HalfedgeId h = 0; h < heavy.twin.size(); ++h) {
+    if (weight[h] < least) heavy.twin[h] = kNone;
+  }
+  return heavy;
 }
 
 DualGraph spanning_forest(const DualGraph& graph) {

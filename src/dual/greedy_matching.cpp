@@ -5,9 +5,8 @@
 // sort of weights in 65,536 classes.
 #include <cstdint>
 
-#include "kernel/squareness.hpp"
+#include "dual/pair_shape.hpp"
 #include "quadloom/dual.hpp"
-#include "quadloom/kernel.hpp"
 
 namespace quadloom {
 namespace {
@@ -19,21 +18,13 @@ struct WeighedPair {
   std::uint16_t weight;  // 0: the best shape
 };
 
-//        c
-//      /   .        The pair across a->b is the quad a, d, b, c, strictly convex if and only if its
-//      corners at
-//    a --- b        a and b turn left; the corners at c and d belong to triangles.
-//      .   /
-//        d
 std::vector<WeighedPair> weigh_pairs(const Triangulation& mesh) {
   std::vector<WeighedPair> pairs;
   pairs.reserve(mesh.twin.size() / 2);
   for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
     if (mesh.twin[h] == kNone || mesh.twin[h] < h) continue;
-    const Point a = mesh.points[mesh.origin(h)], b = mesh.points[mesh.target(h)];
-    const Point c = mesh.points[mesh.apex(h)], d = mesh.points[mesh.apex(mesh.twin[h])];
-    if (orient2d(c, a, d) <= 0 || orient2d(d, b, c) <= 0) continue;
-    const double shape = kernel::squareness(a, d, b, c);
+    const double shape = dual::pair_squareness(mesh, h);
+    if (shape < 0) continue;
     pairs.push_back({h, static_cast<std::uint16_t>((1 - shape) * (kClasses - 1))});
   }
   return pairs;

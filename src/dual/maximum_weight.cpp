@@ -2,9 +2,11 @@
 //
 // Steps: start_duals, start_matching, settle_nodes (searches from each node that is unmatched with a
 // positive dual), write_certificate, write_matching. The greatest size first: a bonus on every edge
-// that outweighs all differences. Cost: near-linear in practice, see weighted_search.cpp.
+// that outweighs all differences. The near-optimal one stops after some rounds; its duals still bound
+// the weight. Cost: near-linear in practice, see weighted_search.cpp.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "dual/weighted_search.hpp"
@@ -139,8 +141,40 @@ void settle_nodes(dual::WeightedSearch& search, std::vector<TriangleId> unsettle
   }
 }
 
-MaximumWeightMatching primal_dual(const DualGraph& graph, Weights weight, MatchingGoal goal,
-                                  int rounds) {
+__extension__ using Wide = __int128;
+
+/// The sum of the duals of the blossoms, each times half of its nodes rounded down.
+Wide sum_of_blossoms(const dual::WeightedSearch& search, std::size_t nodes) {
+  const dual::Blossoms& blossoms = search.blossoms();
+  Wide sum = 0;
+  for (auto s = static_cast<SetId>(nodes); s < blossoms.size(); ++s) {
+    if (blossoms.is_in_use(s)) sum += Wide{search.blossom_dual(s)} * (blossoms.count(s) / 2);
+  }
+  return sum;
+}
+
+/// The duals of the nodes that a matching uses and of the blossoms bound twice its weight with the
+/// bonus. A matching of the greatest size leaves as many nodes out as this one; at the least those
+/// with the least duals.
+std::int64_t upper_bound(std::vector<Dual> duals, Wide blossoms, MatchingGoal goal,
+                         const DualMatching& matching, std::int64_t bonus) {
+  std::size_t out = 0;
+  if (goal == MatchingGoal::kSizeThenWeight) out = matching.unmatched;
+  const auto used = duals.begin() + static_cast<std::ptrdiff_t>(out);
+  if (used != duals.end()) std::nth_element(duals.begin(), used, duals.end());
+  const Wide sum = std::accumulate(used, duals.end(), blossoms);
+  const auto pairs = static_cast<std::int64_t>((duals.size() - matching.unmatched) / 2);
+  const Wide bound = sum / 2 - Wide{bonus} * pairs;
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  return bound < kMost ? static_cast<std::int64_t>(bound) : kMost;
+}
+
+struct PrimalDual {
+  MaximumWeightMatching result;
+  Wide blossoms = 0;  // see sum_of_blossoms
+};
+
+PrimalDual primal_dual(const DualGraph& graph, Weights weight, MatchingGoal goal, int rounds) {
   dual::check_weights(graph, weight);
   const std::int64_t bonus =
       goal == MatchingGoal::kSizeThenWeight ? dual::bonus_for_size(graph, weight) : 0;
@@ -153,10 +187,11 @@ MaximumWeightMatching primal_dual(const DualGraph& graph, Weights weight, Matchi
   dual::WeightedSearch search(graph, weight, bonus, duals, start);
   settle_nodes(search, std::move(unmatched), first_limit(graph, weight), rounds);
 
-  MaximumWeightMatching out;
-  out.certificate = write_certificate(search, graph.node_count(), bonus);
-  out.matching = write_matching(search.blossoms(), graph.node_count());
-  out.weight = weight_of(out.matching, weight);
+  PrimalDual out;
+  out.blossoms = sum_of_blossoms(search, graph.node_count());
+  out.result.certificate = write_certificate(search, graph.node_count(), bonus);
+  out.result.matching = write_matching(search.blossoms(), graph.node_count());
+  out.result.weight = weight_of(out.result.matching, weight);
   return out;
 }
 
@@ -164,7 +199,21 @@ MaximumWeightMatching primal_dual(const DualGraph& graph, Weights weight, Matchi
 
 MaximumWeightMatching maximum_weight_matching(const DualGraph& graph, Weights weight,
                                               MatchingGoal goal) {
-  return primal_dual(graph, weight, goal, std::numeric_limits<int>::max());
+  return primal_dual(graph, weight, goal, std::numeric_limits<int>::max()).result;
+}
+
+NearMaximumMatching near_maximum_weight_matching(const DualGraph& graph, Weights weight,
+                                                 MatchingGoal goal) {
+  constexpr int kRounds = 5;
+  auto [first, blossoms] = primal_dual(graph, weight, goal, kRounds);
+  NearMaximumMatching out{std::move(first.matching), 0, 0};
+  if (goal == MatchingGoal::kSizeThenWeight) {
+    out.matching = maximum_matching(graph, out.matching).matching;
+  }
+  out.weight = weight_of(out.matching, weight);
+  out.upper_bound = upper_bound(std::move(first.certificate.node_dual), blossoms, goal,
+                                out.matching, first.certificate.bonus);
+  return out;
 }
 
 }  // namespace quadloom

@@ -31,6 +31,14 @@ void expect_best(const DualGraph& graph, const std::vector<std::int32_t>& weight
       const bool size_first = goal == MatchingGoal::kSizeThenWeight;
       ASSERT_EQ(result.weight, brute_force_matching(graph, weight, size_first).weight);
     }
+    const NearMaximumMatching near = near_maximum_weight_matching(graph, weight, goal);
+    ASSERT_TRUE(is_matching(graph, near.matching));
+    ASSERT_EQ(near.weight, weight_of(near.matching, weight));
+    ASSERT_LE(near.weight, result.weight);
+    ASSERT_GE(near.upper_bound, result.weight);
+    if (goal == MatchingGoal::kSizeThenWeight) {
+      ASSERT_EQ(near.matching.unmatched, result.matching.unmatched);
+    }
   }
 }
 
@@ -123,6 +131,45 @@ TEST(MaximumWeight, WholeRangeOfWeights) {
     }
     expect_best(graph, weight);
     if (HasFatalFailure()) return;
+  }
+}
+
+TEST(NearMaximumWeight, IsWithinThreePercentOnDelaunayDuals) {
+  for (const char* kind : {"uniform", "clusters", "grid"}) {
+    SCOPED_TRACE(std::string(kind) + " 5000, seed 8");
+    const Triangulation mesh = delaunay(generate_points(kind, 5000, 8)).mesh;
+    const DualGraph graph = dual_graph(mesh);
+    const std::vector<std::int32_t> weight = shape_weights(mesh);
+    for (const MatchingGoal goal : kGoals) {
+      const NearMaximumMatching near = near_maximum_weight_matching(graph, weight, goal);
+      EXPECT_GE(near.weight * 100, near.upper_bound * 97);
+    }
+  }
+}
+
+TEST(ShapeWeights, FollowTheShapeOfStrictlyConvexPairs) {
+  for (const Generator& g : generators()) {
+    SCOPED_TRACE(std::string(g.name) + " 500, seed 12");
+    const Triangulation mesh = delaunay(generate_points(g.name, 500, 12)).mesh;
+    const std::vector<std::int32_t> weight = shape_weights(mesh);
+    for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
+      if (mesh.twin[h] == kNone) {
+        ASSERT_EQ(weight[h], 0);
+        continue;
+      }
+      ASSERT_EQ(weight[h], weight[mesh.twin[h]]);
+      const Point a = mesh.points[mesh.origin(h)], b = mesh.points[mesh.target(h)];
+      const Point c = mesh.points[mesh.apex(h)], d = mesh.points[mesh.apex(mesh.twin[h])];
+      const bool convex = orient2d(c, a, d) > 0 && orient2d(d, b, c) > 0;
+      ASSERT_EQ(weight[h] > 0, convex);
+      if (convex && g.name == "uniform") {
+        ASSERT_NEAR(weight[h], 0.5 + 65535 * quad_shape(a, d, b, c), 0.6);
+      }
+    }
+    const DualGraph graph = dual_graph(mesh), convex = heavy_edges(graph, weight, 1);
+    for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
+      ASSERT_EQ(convex.twin[h], weight[h] > 0 ? graph.twin[h] : kNone);
+    }
   }
 }
 
