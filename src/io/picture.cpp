@@ -115,7 +115,7 @@ class Legend {
   double x_, baseline_, font_;
 };
 
-void paint_legend(const Canvas& canvas, const Layout& l, double x, double baseline) {
+void paint_legend(const Canvas& canvas, const Layout& l, double x, double baseline, bool rings) {
   Legend legend(canvas, x, baseline, l.font);
   const auto count = [&](FaceKind kind) { return l.figures.count[static_cast<int>(kind)]; };
   if (l.options->colour == ColourBy::kQuality &&
@@ -136,7 +136,8 @@ void paint_legend(const Canvas& canvas, const Layout& l, double x, double baseli
     legend.swatch(kTriangleFill, with_count("triangles", count(FaceKind::kTriangle)));
   }
   if (!l.options->steiner.empty()) {
-    legend.ring(with_count("added points", l.options->steiner.size()));
+    const std::string entry = with_count("added points", l.options->steiner.size());
+    rings ? legend.ring(entry) : legend.write(entry);
   }
   if (l.frame.stretch() != 1) legend.write("x and y not to the same scale");
 }
@@ -154,7 +155,8 @@ void paint_panel(const Canvas& canvas, const Layout& l, double x, double y) {
   paint_overlay(canvas, l.frame, page, l.options->overlay);
   paint_points(canvas, placed, l.options->steiner);
   if (l.legend_height > 0) {
-    paint_legend(canvas, l, page.x, page.y + page.height + 2.4 * l.font);
+    paint_legend(canvas, l, page.x, page.y + page.height + 2.4 * l.font,
+                 added_mark_radius(placed, l.options->steiner.size()) > 0);
   }
 }
 

@@ -231,11 +231,16 @@ void paint_added_mark(const Canvas& canvas, Point at, double radius) {
   }
 }
 
+double added_mark_radius(const PlacedMesh& placed, std::size_t count) {
+  const double largest = placed.page.width / 230;
+  const double radius = count <= 20 ? largest : std::min(largest, 0.2 * placed.typical);
+  return radius < 1 ? 0 : radius;
+}
+
 void paint_points(const Canvas& canvas, const PlacedMesh& placed,
                   std::span<const VertexId> steiner) {
   cairo_t* cr = canvas.cairo();
-  const double largest = placed.page.width / 320;
-  const double radius = std::min(largest, 0.11 * placed.typical);
+  const double radius = std::min(placed.page.width / 320, 0.11 * placed.typical);
   if (radius >= 1) {
     for (const Point& p : placed.at) {
       cairo_new_sub_path(cr);
@@ -247,9 +252,8 @@ void paint_points(const Canvas& canvas, const PlacedMesh& placed,
     cairo_set_line_width(cr, radius * 0.35);
     cairo_stroke(cr);
   }
-  const double ring = steiner.size() <= 20 ? std::max(largest * 1.4, radius * 1.7)
-                                           : std::min(largest * 1.4, 0.2 * placed.typical);
-  if (ring < 1) return;
+  const double ring = added_mark_radius(placed, steiner.size());
+  if (ring == 0) return;
   for (const VertexId v : steiner) {
     if (v < placed.at.size()) paint_added_mark(canvas, placed.at[v], ring);
   }

@@ -29,6 +29,9 @@ void paint_edges(const Canvas& canvas, const PlacedMesh& placed, ColourBy colour
 void paint_overlay(const Canvas& canvas, const Frame& frame, const PageRect& page,
                    std::span<const Polyline> overlay);
 
+/// The radius of the rings around so many added points; 0 if there is no room for rings.
+double added_mark_radius(const PlacedMesh& placed, std::size_t count);
+
 /// Dots where there is room for them, and a ring around each added point.
 void paint_points(const Canvas& canvas, const PlacedMesh& placed,
                   std::span<const VertexId> steiner);
