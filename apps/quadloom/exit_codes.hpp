@@ -10,7 +10,7 @@ enum ExitCode {
   kCheckFailed = 1,      // a mesh that the check refuses, whoever made it
   kUsage = 2,            // the command line
   kInput = 3,            // a file or what is in it
-  kGuaranteeMissed = 4,  // what was asked for does not exist for this input
+  kGuaranteeMissed = 4,  // a guarantee that was asked for is not met, or cannot be
 };
 
 inline ExitCode exit_code(ErrorCode code) {

@@ -19,7 +19,7 @@ constexpr const char* kAbout =
 
 constexpr const char* kFooter =
     "\nExit codes: 0 done; 1 the mesh does not pass the check; 2 usage; 3 a file or what is in\n"
-    "it; 4 what was asked for does not exist for this input.";
+    "it; 4 a guarantee that was asked for is not met.";
 
 // What the library says, but for a verb that is not there.
 std::string sentence(const CLI::ParseError& e, int argc, char** argv) {

@@ -27,6 +27,12 @@ Source run_algorithm(const io::PointTable& table, const PointOptions& options, s
     made.statistics = result.statistics;
     made.seconds = timer.seconds();
     source = {to_polygon_mesh(result.mesh), std::move(result.input_to_vertex)};
+  } else {
+    KAngulationResult result = k_angulate_points(table.points, k, options);
+    made.input_vertices = result.input_vertices;
+    made.steiner = std::move(result.steiner);
+    made.seconds = timer.seconds();
+    source = {std::move(result.mesh), std::move(result.input_to_vertex)};
   }
   return source;
 }
@@ -35,9 +41,8 @@ Source run_algorithm(const io::PointTable& table, const PointOptions& options, s
 CertifyOptions promised(const MadeMesh& made, const PointOptions& options, std::size_t k) {
   CertifyOptions promise;
   promise.corners = k;
-  if (k > 4) {
-    promise.steiner_at_most = k - 3;
-  } else if (options.method == PointMethod::kSubdivide && !made.statistics.fell_back_to_spiral) {
+  if (k > 4) return promise;  // the number of added points is told apart: beyond_bound()
+  if (options.method == PointMethod::kSubdivide && !made.statistics.fell_back_to_spiral) {
     promise.strictly_convex = true;
   } else {
     const bool odd = made.statistics.hull_points % 2 == 1;
@@ -104,6 +109,10 @@ MadeMesh make_mesh(const io::PointTable& table, const PointOptions& options, std
   }
   add_attributes(made);
   return made;
+}
+
+bool beyond_bound(const MadeMesh& made, std::size_t k) {
+  return k > 4 && made.steiner.size() > k - 3;
 }
 
 std::vector<VertexId> steiner_vertices(const MadeMesh& made) {

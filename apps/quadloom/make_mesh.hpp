@@ -27,6 +27,9 @@ struct MadeMesh {
 /// Faces of k corners; k = 4 by the method of the options, more by the spiral.
 MadeMesh make_mesh(const io::PointTable& table, const PointOptions& options, std::size_t k);
 
+/// More points were added than Bose and Toussaint's bound for faces of k > 4 corners, k - 3.
+bool beyond_bound(const MadeMesh& made, std::size_t k);
+
 std::vector<VertexId> steiner_vertices(const MadeMesh& made);
 
 }  // namespace quadloom::app

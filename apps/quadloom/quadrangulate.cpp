@@ -62,6 +62,14 @@ void tell(const MadeMesh& made, const QuadrangulateOptions& o) {
              verdict_line(made.certificate, true));
 }
 
+// The mesh is sound and written, but has more added points than the bound: said, and not a success.
+int tell_bound(const MadeMesh& made, const QuadrangulateOptions& o) {
+  if (!beyond_bound(made, o.k)) return kDone;
+  fmt::print(stderr, "quadloom: {} added, where the bound for {}-gons is {}\n",
+             counted(made.steiner.size(), "point"), o.k, o.k - 3);
+  return kGuaranteeMissed;
+}
+
 int quadrangulate(const QuadrangulateOptions& o) {
   check_outputs(o);
   const Timer reading;
@@ -76,7 +84,7 @@ int quadrangulate(const QuadrangulateOptions& o) {
   write_picture(made, o);
   write_report(made, o, read_seconds);
   tell(made, o);
-  return kDone;
+  return tell_bound(made, o);
 }
 
 }  // namespace
@@ -102,10 +110,20 @@ void add_quadrangulate(CLI::App& app, Run& run) {
                    "Format of the mesh if not by the name; msh22 is version 2.2 of msh");
   add_method(*verb, o->making.method);
   add_making(*verb, o->making);
+  add_whole(*verb, "--k", o->k, 4, 1 << 20,
+            "Corners of each face; above 4 the method is the spiral");
   verb->add_option("--picture", o->picture, "Also draw the mesh: .svg, .png or .pdf");
   verb->add_option("--report", o->report, "Also write all figures as JSON; - for standard output");
   verb->add_flag("--quiet", o->quiet, "Print nothing but errors");
-  verb->callback([o, &run] { run = [o] { return quadrangulate(*o); }; });
+  verb->callback([o, verb, &run] {
+    if (o->k > 4 && verb->count("--method") > 0 && o->making.method != PointMethod::kSpiral) {
+      throw CLI::ValidationError("--k", "faces of more than 4 corners are made by the spiral only");
+    }
+    if (o->k > 4 && verb->count("--odd-boundary") > 0) {
+      throw CLI::ValidationError("--odd-boundary", "is for faces of 4 corners");
+    }
+    run = [o] { return quadrangulate(*o); };
+  });
 }
 
 }  // namespace quadloom::app

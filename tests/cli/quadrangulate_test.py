@@ -40,6 +40,24 @@ class Quadrangulate(CommandLine):
         self.assertEqual(self.judge("m.obj", "p.xyz"), 9)  # 6 edges and 3 triangles
         self.succeeds("check", "m.obj", "--points", "p.xyz", "--strictly-convex")
 
+    def test_more_corners(self):
+        self.succeeds("generate", "uniform", "-n", "40", "-o", "p.xyz", "--seed", "3")
+        for k in [5, 6, 7, 12]:
+            with self.subTest(k):
+                self.succeeds("quadrangulate", "p.xyz", "-o", "m.obj", "--k", k)
+                self.assertLessEqual(self.judge("m.obj", "p.xyz", corners=k), k - 3)
+
+    def test_more_points_than_the_bound_for_k_corners_are_no_success(self):
+        for seed in range(80, 95):
+            rng = random.Random(seed)
+            self.write("p.xyz", "".join(f"{rng.randrange(1000)} {rng.randrange(1000)}\n"
+                                        for _ in range(15)))
+            with self.subTest(seed=seed):
+                run = self.run_app("quadrangulate", "p.xyz", "-o", "m.obj", "--k", 12)
+                added = self.judge("m.obj", "p.xyz", corners=12)
+                self.assertEqual(run.returncode, 0 if added <= 9 else 4, run.stderr)
+                self.assertEqual("the bound for 12-gons is 9" in run.stderr, added > 9)
+
     def test_generated_sets(self):
         for kind in ["uniform", "grid", "rotated-grid", "lines", "cross", "near-line", "cocircular",
                      "decades", "duplicates", "two-clusters", "bhrs-line", "bhrs-ring"]:

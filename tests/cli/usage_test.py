@@ -34,7 +34,8 @@ class Usage(CommandLine):
 
     def test_bad_words(self):
         self.write("p.xyz", SQUARE)
-        for flag, word in [("--method", "magic"), ("--odd-boundary", "inside"), ("--seed", "x")]:
+        for flag, word in [("--method", "magic"), ("--odd-boundary", "inside"), ("--k", "3"),
+                           ("--k", "four"), ("--seed", "x")]:
             with self.subTest(flag=flag, word=word):
                 self.refuses(2, [flag, word], "quadrangulate", "p.xyz", "-o", "m.obj", flag, word)
         self.refuses(2, ["--colour", "red"], "draw", "m.obj", "-o", "m.png", "--colour", "red")
@@ -42,6 +43,13 @@ class Usage(CommandLine):
     def test_bad_choice_names_the_words(self):
         self.refuses(2, ["delaunay", "insertion", "spiral", "subdivide"], "quadrangulate", "p.xyz",
                      "-o", "m.obj", "--method", "magic")
+
+    def test_options_that_exclude_each_other(self):
+        self.write("p.xyz", SQUARE)
+        self.refuses(2, ["--k"], "quadrangulate", "p.xyz", "-o", "m.obj", "--k", "5", "--method",
+                     "delaunay")
+        self.refuses(2, ["--odd-boundary"], "quadrangulate", "p.xyz", "-o", "m.obj", "--k", "5",
+                     "--odd-boundary", "triangle")
 
     def test_unknown_formats(self):
         self.write("p.xyz", SQUARE)
