@@ -85,13 +85,17 @@ void walk_round(Walker& walker, const PairedMesh& mesh, const WalkLimits& limits
 }
 
 void walk_together(Walker& walker, const PairedMesh& mesh, const Progress& progress) {
-  // Small searches first bring near ones together. What has no convex way within 1,000 nodes has none within 4,000
-  // either, three times in four, at twice the cost of all before.
+  // Small searches first bring near ones together; what has no convex way within 4,000 nodes seldom has one.
   constexpr WalkLimits kRounds[] = {
-      {WalkQuads::kStrictlyConvex, 20},    {WalkQuads::kStrictlyConvex, 100},
-      {WalkQuads::kStrictlyConvex, 1'000}, {WalkQuads::kAny, 1'000},
-      {WalkQuads::kAny, 100'000},          {WalkQuads::kAny, kNone},
-      {WalkQuads::kAny, kNone, 4},         {WalkQuads::kAny, kNone, 16},
+      {WalkQuads::kStrictlyConvex, 20},
+      {WalkQuads::kStrictlyConvex, 100},
+      {WalkQuads::kStrictlyConvex, 1'000},
+      {WalkQuads::kStrictlyConvex, 4'000, 2},
+      {WalkQuads::kAny, 1'000},
+      {WalkQuads::kAny, 100'000},
+      {WalkQuads::kAny, kNone},
+      {WalkQuads::kAny, kNone, 4},
+      {WalkQuads::kAny, kNone, 16},
       {WalkQuads::kAny, kNone, 255},
   };
   double done = 0;
