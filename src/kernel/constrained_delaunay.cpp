@@ -3,23 +3,30 @@
 //
 // Steps:
 //   1. delaunay        of all points (delaunay.cpp)
-//   2. insert_edges    the rings' edges, then the segments, one by one: the triangles that an edge
-//                      crosses are replaced (constrained_walk.cpp, constrained_cavity.cpp). An edge
-//                      that crosses another or runs along one shows here
+//   2. insert_edges    the rings' edges, then the segments. First those that are edges already, in
+//                      order; then the others one by one: the triangles that an edge crosses are
+//                      replaced (constrained_walk.cpp, constrained_cavity.cpp). They come in random
+//                      rounds, each twice the one before and in order, which bounds the expected
+//                      number of crossed triangles (Shewchuk and Brown 2015); along a spiral, one
+//                      after the other, it would be quadratic. An edge that crosses another or runs
+//                      along one shows here
 //   3. find_parts      which polygon each triangle is in (polygon_parts.cpp), or what the segments
 //                      enclose (enclosed_parts.cpp)
 //   4. keep_inside     the triangles outside and the vertices that only they use are dropped
 //
-// Cost: O(n log n) expected for step 1, the crossed edges for step 2, linear for the rest.
+// Cost: O(n log n) expected for step 1, the crossed edges for step 2 (O(n log^2 n) expected, and
+// their flips), linear for the rest.
 // Degenerate input: points on edges split them, duplicates are merged, edges of length zero are
 // nothing. Cocircular points: as in delaunay.cpp; with the ties decided there is one constrained
 // Delaunay triangulation, so neither the order of the points nor that of the edges matters.
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
-#include "core/point_text.hpp"
+#include "core/random.hpp"
 #include "kernel/constrained_mesh.hpp"
 #include "kernel/planar_edges.hpp"
 #include "kernel/planar_region.hpp"
@@ -42,6 +49,25 @@ void check_places(std::span<const Point> places, const char* what) {
   }
 }
 
+/// The edges by rounds; half of them are in the last round, half of the others in the one before.
+std::vector<std::uint32_t> in_rounds(const std::vector<std::uint32_t>& edges) {
+  constexpr int kRounds = 32;
+  Random random(1);
+  std::vector<std::uint8_t> round;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const int zeros = std::min(std::countr_zero(random.next()), kRounds - 1);
+    round.push_back(static_cast<std::uint8_t>(kRounds - 1 - zeros));
+  }
+  std::vector<std::uint32_t> out;
+  out.reserve(edges.size());
+  for (int r = 0; r < kRounds; ++r) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (round[i] == r) out.push_back(edges[i]);
+    }
+  }
+  return out;
+}
+
 class Constrained {
  public:
   Constrained(const PlanarInput& input, Extent extent)
@@ -62,7 +88,10 @@ class Constrained {
   void check_input() const;
   void check_rings() const;
   void insert_edges(Triangulation mesh);
+  void insert_range(ConstrainedMesh& mesh, std::uint32_t begin, std::uint32_t end);
   void meet(std::uint32_t edge, const Obstacle& obstacle);
+  void rename(std::uint32_t inserted, std::uint32_t other);
+  void rename_edges();
   void find_parts();
   void keep_inside();
   void drop_vertices();
@@ -76,6 +105,7 @@ class Constrained {
   PlanarEdges edges_;
   ConstrainedResult out_;
   std::unordered_map<std::uint32_t, std::uint32_t> also_;  // edges of two polygons: the second one
+  std::unordered_map<std::uint32_t, std::uint32_t> name_;  // of inserted edges that get another
   std::vector<std::uint8_t> inside_;
 };
 
@@ -113,13 +143,29 @@ void Constrained::check_rings() const {
 
 void Constrained::insert_edges(Triangulation mesh) {
   ConstrainedMesh constrained(std::move(mesh));
-  for (std::uint32_t e = 0; e < edges_.edge_count(); ++e) {
+  insert_range(constrained, 0, edges_.ring_edges());
+  insert_range(constrained, edges_.ring_edges(), edges_.edge_count());
+  std::tie(out_.mesh, out_.edge) = std::move(constrained).take();
+  rename_edges();
+}
+
+void Constrained::insert_range(ConstrainedMesh& mesh, std::uint32_t begin, std::uint32_t end) {
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t e = begin; e < end; ++e) {
     const auto [from, to] = vertices_of(e);
     if (from == to) continue;
-    const Obstacle obstacle = constrained.insert(from, to, e);
+    const auto obstacle = mesh.insert_existing(from, to, e);
+    if (!obstacle) {
+      missing.push_back(e);
+    } else if (obstacle->kind != Obstacle::Kind::kNone) {
+      meet(e, *obstacle);
+    }
+  }
+  for (const std::uint32_t e : in_rounds(missing)) {
+    const auto [from, to] = vertices_of(e);
+    const Obstacle obstacle = mesh.insert(from, to, e);
     if (obstacle.kind != Obstacle::Kind::kNone) meet(e, obstacle);
   }
-  std::tie(out_.mesh, out_.edge) = std::move(constrained).take();
 }
 
 /// Two edges with the same ends are one if they are of two polygons or one is a segment; everything
@@ -133,14 +179,36 @@ void Constrained::meet(std::uint32_t edge, const Obstacle& obstacle) {
     if (a.first > a.second) std::swap(a.first, a.second);
     if (b.first > b.second) std::swap(b.first, b.second);
     const bool same_ends = a == b;
-    if (same_ends && !edges_.is_ring_edge(edge)) return;
+    if (same_ends && !edges_.is_ring_edge(edge)) {
+      rename(other, edge);
+      return;
+    }
     if (same_ends && edges_.ring_of(edge).polygon != edges_.ring_of(other).polygon &&
         also_.try_emplace(other, edge).second) {
+      rename(other, edge);
       return;
     }
   }
-  throw Error(ErrorCode::kCrossing, edges_.text(edge) + ' ' + how + ' ' + edges_.text(other),
-              {other, edge});
+  const auto [first, second] = std::minmax(edge, other);
+  throw Error(ErrorCode::kCrossing, edges_.text(second) + ' ' + how + ' ' + edges_.text(first),
+              {first, second});
+}
+
+/// An edge of several numbers shall have the smallest.
+void Constrained::rename(std::uint32_t inserted, std::uint32_t other) {
+  if (other >= inserted) return;
+  auto& name = name_.try_emplace(inserted, other).first->second;
+  name = std::min(name, other);
+}
+
+void Constrained::rename_edges() {
+  if (name_.empty()) return;
+  for (std::uint32_t& e : out_.edge) {
+    if (const auto name = name_.find(e); name != name_.end()) e = name->second;
+  }
+  for (const auto& [inserted, other] : name_) {
+    if (also_.erase(inserted) != 0) also_.emplace(other, inserted);
+  }
 }
 
 void Constrained::find_parts() {

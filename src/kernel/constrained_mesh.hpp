@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,9 @@ class ConstrainedMesh {
   /// Makes the segment from u to v (different) an edge numbered `edge`, or a chain of such edges
   /// where vertices lie on it. Stops at the first obstacle; what was inserted until then stays.
   Obstacle insert(VertexId u, VertexId v, std::uint32_t edge);
+
+  /// As insert, if the segment is a single edge already; else does nothing and gives none.
+  std::optional<Obstacle> insert_existing(VertexId u, VertexId v, std::uint32_t edge);
 
   const Triangulation& mesh() const { return mesh_; }
   /// The number of the edge that a halfedge is on, kNone for an edge that is not forced.

@@ -61,6 +61,13 @@ ConstrainedMesh::ConstrainedMesh(Triangulation mesh)
   for (HalfedgeId h = 0; h < mesh_.tri_vertex.size(); ++h) out_[mesh_.origin(h)] = h;
 }
 
+std::optional<Obstacle> ConstrainedMesh::insert_existing(VertexId u, VertexId v,
+                                                         std::uint32_t edge) {
+  const Exit exit = find_edge(u, v);
+  if (exit.halfedge == kNone) return std::nullopt;
+  return follow_edge(exit, edge);
+}
+
 Obstacle ConstrainedMesh::insert(VertexId u, VertexId v, std::uint32_t edge) {
   while (u != v) {
     Exit exit = find_edge(u, v);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,30 @@ TEST(Constrained, PartsApartNestedAndBesideEachOther) {
   expect_parts_tiled(input, r);
 }
 
+// Long edges that are no Delaunay edges, forced in random order: each counts as the first one.
+TEST(Constrained, SharedAndRepeatedEdgesHaveTheSmallestNumber) {
+  PlanarInput input;
+  for (int i = 0; i < 40; ++i) {
+    const double y = 3.0 * i;
+    input.polygons.push_back({{{{0, y}, {900, y}, {900, y + 3}, {0, y + 3}}}});
+    for (int x = 1; x < 30; ++x) input.points.push_back({30.0 * x + i % 7, y + 1 + x % 2});
+  }
+  input.points.insert(input.points.end(), {{0, -9}, {900, -8}});
+  const auto end = static_cast<VertexId>(input.points.size());
+  for (int i = 0; i < 5; ++i) input.segments.push_back({end - 1 - i % 2, end - 2 + i % 2});
+  for (int x = 1; x < 60; ++x) input.points.push_back({15.0 * x, x % 2 == 0 ? -5.0 : -12.0});
+  const ConstrainedResult r = constrained_delaunay(input, Extent::kHull);
+  expect_polygons(input, r);
+  expect_input_edges_forced(input, r, false);
+  std::set<std::uint32_t> numbers(r.edge.begin(), r.edge.end());
+  for (std::uint32_t p = 1; p < 40; ++p) {
+    EXPECT_TRUE(numbers.contains(4 * p - 2));  // the upper edge of the polygon below
+    EXPECT_FALSE(numbers.contains(4 * p));     // the lower one, the same
+  }
+  EXPECT_TRUE(numbers.contains(160));
+  EXPECT_EQ(std::count_if(numbers.begin(), numbers.end(), [](auto e) { return e > 160; }), 1);
+}
+
 TEST(Constrained, APolygonInAnothersHoleThatItFills) {
   const PlanarInput input = polygons({{{box(0, 0, 10, 10), box(2, 2, 6, 6)}}, {{box(2, 2, 6, 6)}}});
   const ConstrainedResult r = constrained_delaunay(input);
@@ -158,11 +183,18 @@ TEST(ConstrainedErrors, CrossingsNameBothEdges) {
                "the edge from (4, 3) to (0, 0) (polygon 0, ring 0, edge 3) crosses the edge from "
                "(4, 0) to (0, 3) (polygon 0, ring 0, edge 1)",
                {1, 3});
-  expect_error(polygons({{{box(0, 0, 4, 4), box(3, 1, 3, 1)}}}), ErrorCode::kCrossing,
-               "(polygon 0, ring 1, edge 0) crosses the edge from (4, 0) to (4, 4)", {1, 4});
-  expect_error(polygons({{{box(0, 0, 4, 4)}}, {{box(3, 3, 4, 4)}}}), ErrorCode::kCrossing,
-               "(polygon 1, ring 0, edge 0) crosses the edge from (4, 0) to (4, 4) (polygon 0",
-               {1, 4});
+  // Rings cross twice, either crossing may be named.
+  const Error hole = error_of(polygons({{{box(0, 0, 4, 4), box(3, 1, 3, 1)}}}));
+  EXPECT_EQ(hole.code(), ErrorCode::kCrossing);
+  ASSERT_EQ(hole.culprits().size(), 2U);
+  EXPECT_EQ(hole.culprits()[0], 1U) << hole.what();
+  EXPECT_TRUE(hole.culprits()[1] == 4 || hole.culprits()[1] == 6) << hole.what();
+  const Error other = error_of(polygons({{{box(0, 0, 4, 4)}}, {{box(3, 3, 4, 4)}}}));
+  EXPECT_EQ(other.code(), ErrorCode::kCrossing);
+  const auto named = other.culprits();
+  EXPECT_TRUE(named == std::vector<std::size_t>({1, 4}) ||
+              named == std::vector<std::size_t>({2, 7}))
+      << other.what();
   PlanarInput input = polygons({{{box(0, 0, 4, 4)}}});
   input.points = {{1, 1}, {7, 2}};
   input.segments = {{1, 0}};
@@ -177,15 +209,20 @@ TEST(ConstrainedErrors, OverlapsNameBothEdges) {
   const Ring spike = {{0, 0}, {4, 0}, {4, 4}, {6, 7}, {4, 4}, {0, 4}};
   expect_error(polygons({{{spike}}}), ErrorCode::kCrossing,
                "the edge from (6, 7) to (4, 4) (polygon 0, ring 0, edge 3) overlaps", {2, 3});
-  expect_error(polygons({{{box(0, 0, 4, 4)}}, {{box(4, 0, 4, 4)}}, {{box(4, 0, 5, 4)}}}),
-               ErrorCode::kCrossing, "(polygon 2, ring 0, edge 0) overlaps", {4, 8});
+  const Error third =
+      error_of(polygons({{{box(0, 0, 4, 4)}}, {{box(4, 0, 4, 4)}}, {{box(4, 0, 5, 4)}}}));
+  EXPECT_EQ(third.code(), ErrorCode::kCrossing);
+  EXPECT_NE(std::string(third.what()).find("overlaps"), std::string::npos) << third.what();
   PlanarInput input;
   input.points = {{0, 0}, {3, 0}, {1, 0}, {2, 0}, {0, 9}};
   input.segments = {{0, 3}, {1, 2}};
   expect_error(input, ErrorCode::kCrossing,
                "the segment from (3, 0) to (1, 0) (segment 1) overlaps", {0, 1});
   input.segments = {{0, 3}, {3, 0}, {0, 3}};  // one and the same
-  EXPECT_EQ(constrained_delaunay(input, Extent::kHull).mesh.triangle_count(), 3U);
+  const ConstrainedResult same = constrained_delaunay(input, Extent::kHull);
+  EXPECT_EQ(same.mesh.triangle_count(), 3U);
+  EXPECT_EQ(std::count(same.edge.begin(), same.edge.end(), 0U), 2);
+  EXPECT_EQ(std::count(same.edge.begin(), same.edge.end(), kNone), 7);
 }
 
 TEST(ConstrainedErrors, RingsThatBoundNoRegion) {
