@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/random.hpp"
+#include "kernel/squareness.hpp"
 #include "quadrangulate/diagonal_slides.hpp"
 #include "support/paired_checks.hpp"
 
@@ -35,9 +39,19 @@ std::size_t non_convex(const PairedMesh& mesh) {
   return quality.flat_cornered + quality.non_convex;
 }
 
-double total_shape(const PairedMesh& mesh) {
-  const Quality quality = measure_quality(to_polygon_mesh(to_quadrangulation(mesh)));
-  return quality.mean_shape * static_cast<double>(quality.quads);
+/// What the slides climb: squareness, and less than nothing for quads that are not strictly convex.
+double total_worth(const PairedMesh& mesh) {
+  const Quadrangulation quads = to_quadrangulation(mesh);
+  double sum = 0;
+  for (std::size_t q = 0; q < quads.quad_count(); ++q) {
+    std::array<Point, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = quads.points[quads.quad_vertex[4 * q + i]];
+    const QuadKind kind = classify_quad(p[0], p[1], p[2], p[3]);
+    sum += kind == QuadKind::kStrictlyConvex ? kernel::squareness(p[0], p[1], p[2], p[3])
+           : kind == QuadKind::kFlatCorner   ? -2
+                                             : -3;
+  }
+  return sum;
 }
 
 TEST(Walk, BringsRandomLeftOversTogetherAndKeepsTheMeshInOrder) {
@@ -76,26 +90,32 @@ TEST(Walk, LeavesOnlyConvexQuadsWhenAskedTo) {
   }
 }
 
-//     3           The free triangle 0 1 3 is wrapped by the quad 1 2 3 ... about the inner point;
-//     it can only turn
-//    /|.          the wheel to get out.
-//   / 4 .
-//  0-----2
+//         2-------4       The quad 1 2 0 3 wraps around the free triangle 0 1 3, which can only turn the wheel about
+//        /|.     /        point 3 to get next to the other free triangle, 1 4 2.
+//       / 3 .   /
+//      / . . . /
+//     0-------1
 TEST(Walk, TurnsAWheelAboutAnInnerPoint) {
-  const std::vector<Point> points = {{0, 0}, {4, 0}, {2, 4}, {2, 1}, {5, 5}, {0, 5}};
-  PairedMesh mesh = unpaired(points);
-  Random random(5);
-  for (int round = 0; round < 200; ++round) {
-    std::fill(mesh.mate.begin(), mesh.mate.end(), kNone);
-    std::size_t free = pair_at_random(mesh, random);
-    Walker walker(mesh);
-    for (TriangleId t = 0; t < mesh.mate.size() && free >= 2; ++t) {
-      if (!mesh.is_free(t)) continue;
-      ASSERT_TRUE(walker.merge(t, {WalkQuads::kAny, kNone, 16}));
-      free -= 2;
+  PairedMesh mesh = unpaired({{0, 0}, {4, 0}, {2, 4}, {2, 1}, {6, 4}});
+  const auto triangle = [&](VertexId a, VertexId b, VertexId c) {
+    for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
+      const auto* v = &mesh.tri.tri_vertex[3 * t];
+      if (std::is_permutation(v, v + 3, std::array{a, b, c}.begin())) return t;
     }
-    testing::check_paired_mesh(mesh, free);
+    return kNone;
+  };
+  const TriangleId wrapped = triangle(0, 1, 3), right = triangle(1, 2, 3);
+  ASSERT_NE(triangle(1, 4, 2), kNone);
+  for (HalfedgeId h = 3 * right; h < 3 * right + 3; ++h) {
+    if (mesh.tri.twin[h] != kNone && triangle_of(mesh.tri.twin[h]) == triangle(0, 2, 3))
+      mesh.pair(h);
   }
+  testing::check_paired_mesh(mesh, 2);
+  Walker walker(mesh);
+  EXPECT_FALSE(walker.merge(wrapped, {WalkQuads::kStrictlyConvex, kNone, 16}));
+  EXPECT_TRUE(walker.merge(wrapped, {WalkQuads::kAny, kNone, 1}));
+  EXPECT_EQ(walker.steps(), 1U);
+  testing::check_paired_mesh(mesh, 0);
 }
 
 TEST(Walk, ReachesTheBoundary) {
@@ -127,14 +147,16 @@ TEST(Slides, ImproveTheShapesAndKeepTheMeshInOrder) {
       Random random(seed);
       PairedMesh mesh = unpaired(generate_points(kind, 40, seed));
       const std::size_t free = pair_at_random(mesh, random);
-      const std::size_t bad = non_convex(mesh);
-      const double shape = total_shape(mesh);
-      slides += slide_diagonals(mesh);
+      const double before = total_worth(mesh);
+      const std::size_t slid = slide_diagonals(mesh);
       testing::check_paired_mesh(mesh, free);
-      EXPECT_LE(non_convex(mesh), bad);
-      if (non_convex(mesh) == bad) {
-        EXPECT_GE(total_shape(mesh), shape * 0.9);
+      if (slid > 0) {
+        EXPECT_GT(total_worth(mesh), before);
+      } else {
+        EXPECT_EQ(total_worth(mesh), before);
       }
+      EXPECT_EQ(slide_diagonals(mesh), 0U);  // it was at the top
+      slides += slid;
     }
   }
   EXPECT_GT(slides, 100U);
