@@ -126,14 +126,14 @@ Dual first_limit(const DualGraph& graph, Weights weight) {
 
 /// Rounds of searches from all unsettled nodes. In a round the dual of each goes down by the same
 /// limit at most, so that their trees grow alike: without that the trees of the last ones are far
-/// larger. After eight rounds the limit doubles, and the last node has none.
+/// larger. The limit doubles when few nodes have been settled, and the last node has none.
 void settle_nodes(dual::WeightedSearch& search, std::vector<TriangleId> unsettled, Dual limit,
                   int rounds) {
   for (int round = 0; round < rounds; ++round) {
     const auto is_settled = [&](TriangleId t) { return search.is_settled(t); };
-    std::erase_if(unsettled, is_settled);
+    const std::size_t settled = std::erase_if(unsettled, is_settled);
     if (unsettled.empty()) return;
-    if (round > 8) limit *= 2;
+    if (round > 1 && settled < unsettled.size() / 4) limit *= 2;
     if (unsettled.size() == 1) limit = std::numeric_limits<Dual>::max();
     for (const TriangleId t : unsettled) {
       if (!is_settled(t)) search.search(t, limit);

@@ -13,7 +13,7 @@ struct LemonEdge {
   std::int32_t weight;
 };
 
-/// The size and weight of a matching, and the seconds that the algorithm took, the building of
+/// The size and weight of a matching, and the processor's seconds for the algorithm, the building of
 /// LEMON's graph excluded. `found` is false if there is no perfect matching.
 struct LemonResult {
   bool found = true;
