@@ -18,7 +18,7 @@ void Blossoms::set_free(SetId s, TriangleId node) {
 }
 
 SetId Blossoms::make(const std::vector<CycleStep>& cycle) {
-  SetId made = static_cast<SetId>(set_.size());
+  auto made = static_cast<SetId>(set_.size());
   if (unused_.empty()) {
     set_.emplace_back();
     first_.emplace_back();

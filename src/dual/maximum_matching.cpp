@@ -73,8 +73,9 @@ class Edmonds {
     queue_.clear();
     inner_.clear();
     make_outer(root);
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-      const TriangleId t = queue_[next];
+    std::size_t next = 0;
+    while (next < queue_.size()) {  // the queue grows on the way
+      const TriangleId t = queue_[next++];
       for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
         if (graph_.twin[h] == kNone) continue;
         const TriangleId other = graph_.across(h);
@@ -162,7 +163,7 @@ class Edmonds {
         if (node_[from].in_blossom) {
           const HalfedgeId bridge = node_[from].bridge;
           path_.push_back(bridge);
-          pieces_.push_back({triangle_of(bridge), mate(from)});
+          pieces_.emplace_back(triangle_of(bridge), mate(from));
           from = graph_.across(bridge);
         } else {
           const HalfedgeId entry = node_[mate(from)].entry;
