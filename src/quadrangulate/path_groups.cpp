@@ -56,7 +56,7 @@ class Search {
     const std::size_t places = reach.size() - begin;
     cost_.assign(places * full, kNever);
     best_.assign(places * full, 0);
-    choices_ = std::max<std::size_t>(2, kMostSteps / (places * full));
+    choices_ = std::max<std::size_t>(2, kMostSteps / std::max<std::size_t>(1, places * full));
     for (std::size_t place = reach.size(); place-- > begin;) {
       for (std::size_t points = 0; points < full; ++points) solve(place, points);
     }

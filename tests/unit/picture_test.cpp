@@ -11,6 +11,10 @@
 #include "quadloom/generate.hpp"
 #include "quadloom/io.hpp"
 
+// Text needs fontconfig, which keeps what it has allocated.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+
 namespace quadloom::io {
 namespace {
 
