@@ -93,10 +93,11 @@ struct KAngulationResult {
   PolygonMesh mesh;  ///< every face has k corners
   std::vector<VertexId> input_to_vertex;
   std::size_t input_vertices = 0;
-  std::vector<SteinerPoint> steiner;  ///< at most k - 3
+  std::vector<SteinerPoint>
+      steiner;  ///< as a rule at most k - 3, see docs/algorithms/k-angulation.md
 };
 
-/// A mesh of simple k-gons (Bose and Toussaint, corollary 4.1), k >= 4, at most k - 3 Steiner
+/// A mesh of simple k-gons (Bose and Toussaint, corollary 4.1), k >= 4, as a rule at most k - 3 Steiner
 /// points. Throws as quadrangulate_points; kBadOption for k < 4.
 KAngulationResult k_angulate_points(std::span<const Point> input, std::size_t k,
                                     const PointOptions& options = {});

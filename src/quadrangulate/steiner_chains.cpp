@@ -104,7 +104,8 @@ class HullPoints {
   Queue first_choice_, second_choice_;
 };
 
-/// Exactly on the segment, each time in the middle of the longest piece that has a double in it.
+}  // namespace
+
 std::optional<std::vector<Point>> chain_on_segment(Point a, Point b, std::size_t count) {
   std::vector<Point> chain = {a, b};
   std::vector<char> full = {0};  // the piece from chain[i] to chain[i + 1] has no double in it
@@ -126,8 +127,6 @@ std::optional<std::vector<Point>> chain_on_segment(Point a, Point b, std::size_t
   }
   return std::vector<Point>(chain.begin() + 1, chain.end() - 1);
 }
-
-}  // namespace
 
 std::optional<std::vector<Point>> chain_in_triangle(Point a, Point b, Point c, std::size_t count) {
   constexpr int kHalvings = 50;

@@ -19,6 +19,10 @@ using EdgeChains = std::map<std::pair<VertexId, VertexId>, std::vector<VertexId>
 /// meets it once. None if there is no room either way.
 std::optional<std::vector<Point>> chain_in_triangle(Point a, Point b, Point c, std::size_t count);
 
+/// `count` points exactly on the segment, in order from a to b, each time in the middle of the longest
+/// piece that has a double in it. None if there are too few doubles.
+std::optional<std::vector<Point>> chain_on_segment(Point a, Point b, std::size_t count);
+
 /// Adds `count` points to `points`, near or on the given edges of the hull (directed
 /// counter-clockwise; `hull` is the whole cycle), so that the boundary stays convex: each time at
 /// the longest piece that admits the wished kind of point, or else the other kind. Records them in
