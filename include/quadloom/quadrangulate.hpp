@@ -75,13 +75,14 @@ struct PointResult {
 PointResult quadrangulate_points(std::span<const Point> input, const PointOptions& options = {});
 
 /// True if and only if the set has a quadrangulation without Steiner points: the number of points
-/// on its hull is even (theorem 3.1) and they are not all collinear. Duplicates count once. O(n log
-/// n).
+/// on its hull is even (theorem 3.1) and they are not all collinear. Duplicates count once.
+/// Throws Error kNotFinite, kTooManyPoints. O(n log n).
 bool has_quadrangulation(std::span<const Point> input);
 
 /// The serpentine triangulation of the convex spiral (Bose and Toussaint, lemma 4.1): triangles in
 /// the order of the dual path, consecutive ones share an edge; the first one has the hull edge from
-/// the spiral's start to its clockwise end.
+/// the spiral's start to its clockwise end. 2n - 2 - h triangles. Throws Error kNotFinite,
+/// kTooFewPoints, kAllCollinear, kTooManyPoints. O(n log n).
 struct SerpentineResult {
   Triangulation mesh;
   std::vector<VertexId> spiral;           ///< all vertices in the order of the spiral

@@ -177,11 +177,13 @@ int last_bit(double v) {
          std::countr_zero(static_cast<std::uint64_t>(mantissa));
 }
 
-/// A unit that is fine enough where an axis is crossed and smaller and smaller doubles come into view.
+/// A unit that is fine enough where an axis is crossed and smaller and smaller doubles come into
+/// view.
 ///
-/// Let the ends be integers in the unit w and (p, q) the step between the integer points. A point a + (m / 2^s) (p, q),
-/// m odd, has coordinates whose last bits are w 2^(v - s), v = the twos in p or in q. If s > 53 + v for both,
-/// both coordinates of a double point are smaller than w: only a segment that passes the origin within w has
+/// Let the ends be integers in the unit w and (p, q) the step between the integer points. A point
+/// a + (m / 2^s) (p, q), m odd, has coordinates whose last bits are w 2^(v - s), v = the twos in p or
+/// in q. If s > 53 + v for both, both coordinates of a double point are smaller than w: only a
+/// segment that passes the origin within w has
 /// such points, and one through the origin itself has a better one there.
 std::optional<int> fine_enough_unit(Point a, Point b) {
   const int w =

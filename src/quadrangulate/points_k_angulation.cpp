@@ -15,9 +15,10 @@
 //
 // Guarantee: faces are always simple k-gons. At most k - 3 points without inner points or with
 // k - 2 >= t / 2. Otherwise 1 and 2 are searches: they met the bound in sweeps over all generators, n
-// up to 300 and k up to n, but no proof says that they must. Known not to be met, or Error kGuarantee: points on a line
-// up to the last bits (the generator near-line), where the doubles have no room for the points; and
-// now and then large sets with k above about 30 (1,000 points and k = 100), where the search gives up.
+// up to 300 and k up to n, but no proof says that they must. Known not to be met: sets of thousands of
+// points with k above about 20, where the search gets stuck; and points on a line up to the last bits
+// (the generator near-line), where the doubles have no room for the points: more of them, or Error
+// kGuarantee.
 // Cost: O(n log n), and searches of at most a few thousand steps a point.
 #include <algorithm>
 #include <optional>

@@ -60,16 +60,17 @@ class Walker {
   /// The free triangle after some moves: where it is and how it came there.
   struct Node {
     std::uint32_t parent = kNone;
-    HalfedgeId enter =
-        kNone;  // the halfedge of the quad, or of the free goal, that was entered; kNone: a start
+    /// The halfedge of the quad, or of the free goal, that was entered; kNone for a start.
+    HalfedgeId enter = kNone;
     std::array<VertexId, 3> corner;
-    std::array<HalfedgeId, 3>
-        exit;  // the mesh's halfedge of edge i to i + 1; kNone for the edge just cut
+    /// The mesh's halfedge from corner i to i + 1; kNone for the edge just cut.
+    std::array<HalfedgeId, 3> exit;
     std::int8_t ear = 0;
     bool goal = false;
   };
-  /// Nodes waiting to be expanded, by cost. No move costs as much as the ring is long, so that the costs waiting at any
-  /// time fit in one turn of it; among equal costs the last one pushed comes first.
+  /// Nodes waiting to be expanded, by cost. No move costs as much as the ring is long, so that the
+  /// costs waiting at any time fit in one turn of it; among equal costs the last one pushed comes
+  /// first.
   class Queue {
    public:
     static constexpr std::uint32_t kRing = 128;

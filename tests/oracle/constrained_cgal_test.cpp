@@ -1,7 +1,6 @@
 // The same triangles as CGAL's constrained Delaunay triangulation, where no four points are on a
 // circle: there is only one then.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,14 +9,14 @@
 
 #include "core/random.hpp"
 #include "quadloom/generate.hpp"
+#include "support/cgal_triangles.hpp"
 #include "support/constrained_checks.hpp"
 #include "support/delaunay_checks.hpp"
 
 namespace quadloom {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Cgal = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
+using Cgal = CGAL::Constrained_Delaunay_triangulation_2<CgalKernel>;
 
 TriangleSet cgal_triangles(const PlanarInput& input) {
   const NumberedInput in = number_input(input);
@@ -27,15 +26,7 @@ TriangleSet cgal_triangles(const PlanarInput& input) {
   for (const Segment s : in.edges) {
     if (vertex[s.from] != vertex[s.to]) cgal.insert_constraint(vertex[s.from], vertex[s.to]);
   }
-  TriangleSet out;
-  for (auto f = cgal.finite_faces_begin(); f != cgal.finite_faces_end(); ++f) {
-    const auto corner = [&](int i) {
-      return Point{f->vertex(i)->point().x(), f->vertex(i)->point().y()};
-    };
-    out.push_back(canonical_triangle(corner(0), corner(1), corner(2)));
-  }
-  std::sort(out.begin(), out.end());
-  return out;
+  return finite_triangles(cgal);
 }
 
 bool proper_or_overlap(Point a, Point b, Point c, Point d) {

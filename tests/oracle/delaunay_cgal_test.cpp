@@ -1,6 +1,5 @@
 // The same triangles as CGAL's, cocircular ties included: CGAL perturbs by the same rule.
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,27 +9,19 @@
 #include "core/random.hpp"
 #include "quadloom/generate.hpp"
 #include "quadloom/kernel.hpp"
+#include "support/cgal_triangles.hpp"
 #include "support/delaunay_checks.hpp"
 
 namespace quadloom {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Cgal = CGAL::Delaunay_triangulation_2<Kernel>;
+using Cgal = CGAL::Delaunay_triangulation_2<CgalKernel>;
 
 TriangleSet cgal_triangles(const std::vector<Point>& points) {
-  std::vector<Kernel::Point_2> input;
+  std::vector<CgalKernel::Point_2> input;
   for (const Point& p : points) input.emplace_back(p.x, p.y);
   const Cgal cgal(input.begin(), input.end());
-  TriangleSet out;
-  for (auto f = cgal.finite_faces_begin(); f != cgal.finite_faces_end(); ++f) {
-    const auto corner = [&](int i) {
-      return Point{f->vertex(i)->point().x(), f->vertex(i)->point().y()};
-    };
-    out.push_back(canonical_triangle(corner(0), corner(1), corner(2)));
-  }
-  std::sort(out.begin(), out.end());
-  return out;
+  return finite_triangles(cgal);
 }
 
 TEST(DelaunayAgainstCgal, EveryGenerator) {

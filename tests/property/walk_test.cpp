@@ -90,8 +90,8 @@ TEST(Walk, LeavesOnlyConvexQuadsWhenAskedTo) {
   }
 }
 
-//         2-------4       The quad 1 2 0 3 wraps around the free triangle 0 1 3, which can only turn the wheel about
-//        /|.     /        point 3 to get next to the other free triangle, 1 4 2.
+//         2-------4       The quad 1 2 0 3 wraps around the free triangle 0 1 3, which can only turn
+//        /|.     /        the wheel about point 3 to get next to the other free triangle, 1 4 2.
 //       / 3 .   /
 //      / . . . /
 //     0-------1
