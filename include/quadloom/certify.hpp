@@ -83,6 +83,15 @@ Certificate certify_polygons(const PolygonMesh& mesh, std::span<const Polygon> p
 Certificate certify_mesh(const PolygonMesh& mesh, const PolygonMesh& source,
                          const CertifyOptions& options = {});
 
+/// The same for a surface in space, z one a vertex: what can be said of it is combinatorial. Faces have
+/// distinct corners and an area, each directed edge is in one face, the faces at a vertex hang
+/// together as in the source, the boundary is the source's (as in certify_mesh, an edge may be split
+/// if steiner_inside and outer_steiner are false), source vertices stay, and each component has the
+/// source's Euler characteristic. Throws as certify_mesh.
+Certificate certify_surface(const PolygonMesh& mesh, std::span<const double> z,
+                            const PolygonMesh& source, std::span<const double> source_z,
+                            const CertifyOptions& options = {});
+
 /// Shape figures of a mesh. Angles in degrees; an edge between two faces counts once.
 struct Quality {
   std::size_t quads = 0;
@@ -108,5 +117,8 @@ struct Quality {
 /// Faces should be counter-clockwise. A mesh without faces has zeros everywhere. Throws Error
 /// kBadMesh (a face of fewer than three corners), kIndexOutOfRange, kNotFinite. Near-linear.
 Quality measure_quality(const PolygonMesh& mesh);
+/// The same for a surface in space: angles and shapes are those in space; a quad counts as strictly
+/// convex if it is so in the coordinate plane that it is nearest to.
+Quality measure_quality(const PolygonMesh& mesh, std::span<const double> z);
 
 }  // namespace quadloom

@@ -81,6 +81,20 @@ struct PolygonMesh {
   }
 };
 
+/// A mesh of triangles that is to be converted, and what must stay of it. Corners counter-clockwise
+/// in the plane, consistent on a surface; vertices that no triangle uses are allowed and stay. See
+/// connect_triangles, which makes one from the faces of a file.
+struct TriangleMesh {
+  Triangulation mesh;
+  std::vector<double> z;               ///< per vertex: a surface in space; empty: a planar mesh
+  std::vector<std::uint32_t> region;   ///< per triangle: a label; empty: one region. Faces never
+                                       ///< reach from one label into another
+  std::vector<std::uint8_t> keep;      ///< per halfedge: != 0 on either side is an edge that stays;
+                                       ///< empty: none
+  std::vector<HalfedgeId> given_pair;  ///< per triangle: the halfedge inside its quad, where the
+                                       ///< source had a quad, else kNone; empty: triangles only
+};
+
 /// The same mesh as polygons: quads first, then triangles.
 PolygonMesh to_polygon_mesh(const Quadrangulation& mesh);
 PolygonMesh to_polygon_mesh(const Triangulation& mesh);

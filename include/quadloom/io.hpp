@@ -46,6 +46,8 @@ struct MeshFile {
   std::vector<double> z;  ///< per vertex, or empty
   std::vector<Attribute> vertex_data;
   std::vector<Attribute> face_data;
+  std::vector<Segment> edges;  ///< lines of the file: .obj l, .msh and .vtu lines, .edge
+  bool z_is_data = false;      ///< z is a height or depth over a planar mesh (.14)
 };
 
 /// Writes by extension: .obj .off .ply .vtu .msh .geojson .json, or as `format` says: one of these

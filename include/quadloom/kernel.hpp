@@ -73,6 +73,55 @@ std::vector<VertexId> convex_spiral(std::span<const Point> points, VertexId star
 std::vector<VertexId> convex_spiral(std::span<const Point> points, const ConvexLayers& layers,
                                     VertexId start = kNone);
 
+// ---- Meshes of triangles, as files hold them. ----
+
+/// What the third coordinate of a mesh means.
+enum class Space {
+  kAuto,     ///< kPlane if the triangles, seen from above, all turn the same way; else kSurface
+  kPlane,    ///< heights or depths are data: decisions and shapes are those of the plane
+  kSurface,  ///< a surface in space: shapes are measured in space
+};
+
+/// What to do with faces that turn the other way than their neighbours, and faces without area.
+enum class FaultyFaces { kRepair, kRefuse };
+
+/// What to do with vertices at exactly the same place.
+enum class EqualVertices { kKeep, kMerge };
+
+struct ConnectOptions {
+  Space space = Space::kAuto;                  // what people mean by most files
+  FaultyFaces faulty = FaultyFaces::kRepair;   // said in the result; many scanners turn some
+  EqualVertices equal = EqualVertices::kKeep;  // seams may be meant
+};
+
+/// The mesh as its triangles, and what was found on the way.
+struct ConnectedMesh {
+  TriangleMesh triangles;  ///< vertices as given (or merged); a quad is two triangles, a given_pair
+  std::vector<VertexId> input_to_vertex;   ///< equal vertices merged, if asked for
+  std::vector<std::uint32_t> source_face;  ///< per triangle: the face of the input
+  Space space = Space::kPlane;             ///< kPlane or kSurface
+  std::size_t turned_faces = 0;            ///< repaired: faces given the other way around
+  std::size_t flat_faces = 0;              ///< repaired: triangles without area
+  std::size_t unused_vertices = 0;
+  std::size_t components = 0;       ///< of triangles connected over edges
+  std::size_t boundary_cycles = 0;  ///< closed: 0
+  std::size_t boundary_edges = 0;
+};
+
+/// Connects triangles and quads over their edges and checks them: each edge has at most two faces,
+/// one on each side; in the plane every triangle has a positive area and used vertices are distinct.
+/// `z` is empty or one a vertex. A triangle without area is repaired by a flip of its longest edge, or
+/// left out if that edge is on the boundary. Throws Error kBadMesh (a face of other than three or
+/// four corners, a corner twice, an edge with three faces, a surface with one side, a quad that is
+/// not simple, repeated places in the plane, or what `faulty` refuses; culprits: the edge's vertices,
+/// or the face), kIndexOutOfRange, kNotFinite, kTooFewPoints (no faces). O(n log n).
+ConnectedMesh connect_triangles(const PolygonMesh& mesh, std::span<const double> z = {},
+                                const ConnectOptions& options = {});
+
+/// Marks the edges to keep (TriangleMesh::keep) where the normals of the two triangles differ by more
+/// than `degrees`; returns how many edges. In the plane there are none. O(n).
+std::size_t keep_sharp_edges(TriangleMesh& mesh, double degrees);
+
 // ---- Delaunay. ----
 
 struct DelaunayResult {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadloom/core.hpp"
+#include "quadloom/kernel.hpp"
 
 namespace quadloom {
 
@@ -102,5 +103,105 @@ struct KAngulationResult {
 /// points. Throws as quadrangulate_points; kBadOption for k < 4.
 KAngulationResult k_angulate_points(std::span<const Point> input, std::size_t k,
                                     const PointOptions& options = {});
+
+// ---- Triangulations and polygons. ----
+
+/// How a triangulation becomes quads.
+enum class TriangleMethod {
+  kPair,        ///< pairs of triangles; what is left over as `leftover` says (the default)
+  kPercolate,   ///< Ramaswami, Ramos and Toussaint, theorem 3.3: the fewest outer Steiner points
+                ///< that this triangulation allows
+  kFans,        ///< theorem 2.1: fans of a three-coloured polygon, at most n/3 outer points
+  kQPercolate,  ///< theorem 3.4: at most one inner point for two triangles, at most one outer one
+  kQuarter,     ///< the full paper's bound: at most one inner point for four triangles
+  kSubdivide,   ///< de Berg's conversion: a triangle into three, a given quad into four
+};
+
+/// What kPair does with triangles that are left over.
+enum class Leftover {
+  kError,     ///< Error kGuarantee, with Tutte and Berge's witness
+  kTriangle,  ///< they stay
+  kWalk,      ///< walked together (see PointMethod::kDelaunay); where that is impossible, kSteiner
+  kSteiner,   ///< inner Steiner points, without a change of other edges
+};
+
+/// Which pairs kPair may make.
+enum class PairKind {
+  kAuto,    ///< kConvex for Leftover::kWalk, else kAny
+  kConvex,  ///< strictly convex quads alone, as much shape as possible
+  kAny,     ///< as many pairs as possible (a perfect matching if there is one), then shape
+};
+
+/// What the matching maximises.
+enum class PairWeight {
+  kShape,      ///< quad_shape
+  kConvexity,  ///< the number of strictly convex quads
+  kGiven,      ///< TriangleOptions::halfedge_weight
+};
+
+/// Whether the matching is the best one or near it (see near_maximum_weight_matching).
+enum class MatchingEffort { kExact, kNear };
+
+struct TriangleOptions {
+  TriangleMethod method = TriangleMethod::kPair;    // the fewest changes
+  Leftover leftover = Leftover::kWalk;              // all quads
+  PairKind pairs = PairKind::kAuto;                 // see there
+  PairWeight weight = PairWeight::kShape;           // what solvers want
+  MatchingEffort effort = MatchingEffort::kExact;   // as fast as the other in practice
+  double min_quality = 0;                           // no pair of a lesser quad_shape is made
+  std::span<const double> halfedge_weight = {};     // kGiven: >= 0; the greater, the sooner gone
+  OddBoundary odd_boundary = OddBoundary::kOnEdge;  // the shape of the region stays
+  Progress progress = {};
+};
+
+/// What a conversion did, for reports; a count that a method does not have is 0.
+struct TriangleStatistics {
+  std::size_t triangles = 0;       ///< of the source
+  std::size_t boundary_edges = 0;  ///< of the source
+  std::size_t parts = 0;           ///< of the source: connected without crossing edges to keep
+  std::size_t odd_parts = 0;       ///< parts with an odd number of border edges
+  std::size_t unmatched = 0;       ///< triangles left over by the matching
+  std::size_t walks = 0;           ///< walks that merged two of them
+  std::size_t walk_steps = 0;      ///< pentagons re-cut by these walks
+  std::size_t crossings = 0;       ///< quads crossed with an inner Steiner point each
+  double weight_gap = 0;  ///< MatchingEffort::kNear: at most this share of the weight is lost
+};
+
+struct TriangleResult {
+  Quadrangulation mesh;   ///< the source's vertices with their numbers, then Steiner points
+  std::vector<double> z;  ///< as the source has it
+  std::size_t input_vertices = 0;
+  std::vector<SteinerPoint> steiner;
+  /// Per quad the source triangles that it is made of: both, or one and kNone. Where walks re-cut
+  /// pentagons each source triangle goes to the face that took most of its sides over.
+  std::vector<std::array<TriangleId, 2>> quad_source;
+  std::vector<TriangleId> triangle_source;  ///< per left-over triangle
+  std::vector<TriangleId> barrier;          ///< PairKind::kAny: why no more pairs are possible, see
+                                            ///< MaximumMatching; empty if all are paired
+  TriangleStatistics statistics;
+};
+
+/// A quadrangulation of a given triangulation: every vertex stays, faces tile the same region (outer
+/// Steiner points add to it), no face reaches over an edge to keep or from one region into another.
+///
+/// The boundary stays as it is but for outer Steiner points and, where a part has an odd number of
+/// border edges, what `odd_boundary` says: no mesh of quads alone has an odd border. kPercolate,
+/// kFans: planar meshes; kFans: each component a polygon without holes and inner vertices.
+///
+/// Throws Error kBadMesh (twins, sizes or given pairs that do not agree; a mesh that the method is
+/// not for), kBadOption, kGuarantee (Leftover::kError; no place for a Steiner point among the
+/// doubles; kPercolate with triangles that no boundary is near), kTooManyPoints, kCancelled.
+TriangleResult quadrangulate_triangles(const TriangleMesh& input,
+                                       const TriangleOptions& options = {});
+
+struct PlanarResult {
+  ConstrainedResult triangulation;  ///< parts and input edges of the source triangles
+  TriangleResult quads;
+};
+
+/// Polygons with holes, segments and inner points: quadrangulate_triangles on their constrained
+/// Delaunay triangulation. Segments and the borders between polygons are edges to keep. Throws also as
+/// constrained_delaunay.
+PlanarResult quadrangulate_polygons(const PlanarInput& input, const TriangleOptions& options = {});
 
 }  // namespace quadloom

@@ -1,0 +1,11 @@
+// The fans of quadrangulate_triangles.
+#pragma once
+
+#include "quadloom/quadrangulate.hpp"
+
+namespace quadloom::quadrangulate {
+
+/// See quadrangulate_triangles, which has checked the input.
+TriangleResult fan_triangulation(const TriangleMesh& input, const TriangleOptions& options);
+
+}  // namespace quadloom::quadrangulate

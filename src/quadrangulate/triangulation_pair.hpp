@@ -1,0 +1,11 @@
+// The pairing method of quadrangulate_triangles.
+#pragma once
+
+#include "quadloom/quadrangulate.hpp"
+
+namespace quadloom::quadrangulate {
+
+/// See quadrangulate_triangles, which has checked the input.
+TriangleResult pair_triangulation(const TriangleMesh& input, const TriangleOptions& options);
+
+}  // namespace quadloom::quadrangulate
