@@ -1,0 +1,48 @@
+// Places at boundary edges, of the wished kind or the other.
+#include "quadrangulate/boundary_places.hpp"
+
+#include <string>
+
+#include "kernel/point_on_segment.hpp"
+#include "quadrangulate/odd_boundary.hpp"
+
+namespace quadloom::quadrangulate {
+
+std::optional<BoundaryPlace> BoundaryPlaces::place_of_kind(HalfedgeId h, SteinerKind kind) {
+  const Triangulation& mesh = input_.mesh;
+  std::optional<Point> place;
+  if (kind == SteinerKind::kOnEdge) {
+    place = kernel::point_on_segment(mesh.points[mesh.origin(h)], mesh.points[mesh.target(h)]);
+  } else {
+    if (!outer_) outer_.emplace(mesh);
+    place = outer_->place(h);
+  }
+  if (!place) return std::nullopt;
+  return BoundaryPlace{*place, 0, kind};
+}
+
+std::optional<BoundaryPlace> BoundaryPlaces::place(HalfedgeId h) {
+  const Triangulation& mesh = input_.mesh;
+  if (!input_.z.empty()) {
+    const VertexId a = mesh.origin(h), b = mesh.target(h);
+    const Point p = mesh.points[a], q = mesh.points[b];
+    return BoundaryPlace{{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2},
+                         input_.z[a] / 2 + input_.z[b] / 2,
+                         SteinerKind::kOnEdge};
+  }
+  for (const SteinerKind kind : kinds_by_wish(wish_)) {
+    if (const auto found = place_of_kind(h, kind)) return found;
+  }
+  return std::nullopt;
+}
+
+BoundaryPlace BoundaryPlaces::place_or_throw(HalfedgeId h) {
+  if (const auto found = place(h)) return *found;
+  const VertexId a = input_.mesh.origin(h), b = input_.mesh.target(h);
+  throw Error(ErrorCode::kGuarantee,
+              "there is no place for a Steiner point at the boundary edge from vertex " +
+                  std::to_string(a) + " to vertex " + std::to_string(b),
+              {a, b});
+}
+
+}  // namespace quadloom::quadrangulate
