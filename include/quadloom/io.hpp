@@ -59,11 +59,11 @@ struct MeshFile {
 /// kNotFinite, kBadMesh for a mesh that no file should hold.
 void write_mesh(const std::string& path, const MeshFile& mesh, const std::string& format = {});
 
-/// Throws the Error kBadOption that write_mesh would throw for that name and format: to be asked
-/// before long work.
+/// Throws the Error kBadOption that write_mesh would throw for that name and format (unknown, or only
+/// read): to be asked before long work.
 void require_mesh_format(const std::string& path, const std::string& format = {});
 
-/// Reads what write_mesh writes and more (docs/formats.md); "-" is standard input (needs `format`).
+/// Reads what write_mesh writes, .14 and .gr3 (docs/formats.md); "-" is standard input (needs `format`).
 /// Heights that are all 0 count as none. Throws Error kParse (culprit: the line where there is
 /// one), kNotFinite, kIndexOutOfRange (culprits: face, index), kFile, kBadOption.
 MeshFile read_mesh(const std::string& path, const std::string& format = {});

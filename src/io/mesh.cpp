@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,23 +22,30 @@ constexpr std::array kFormats = {
     MeshFormat{"json", read_geojson_mesh, write_geojson_mesh},
     MeshFormat{"vtu-ascii", read_vtu, write_vtu_ascii},
     MeshFormat{"msh22", read_msh, write_msh22},
+    MeshFormat{"14", read_fort14, nullptr},
+    MeshFormat{"gr3", read_fort14, nullptr},
 };
 
-const MeshFormat& find_format(const std::string& path, const std::string& format) {
+enum class Use { kRead, kWrite };
+
+const MeshFormat& find_format(const std::string& path, const std::string& format, Use use) {
   const std::string name = format.empty() ? extension_of(path) : format;
-  for (const auto& known : kFormats) {
-    if (known.name == name) return known;
-  }
+  bool only_read = false;
   std::string names;
   for (const auto& known : kFormats) {
+    const bool usable = use == Use::kRead || known.write != nullptr;
+    if (known.name == name && usable) return known;
+    if (known.name == name) only_read = true;
+    if (!usable) continue;
     names += names.empty() ? "" : ", ";
     names += known.name;
   }
+  std::string what = format.empty()
+                         ? fmt::format("cannot tell the format of {}", path)
+                         : fmt::format("no format of meshes is called {}", in_quotes(format));
+  if (only_read) what = fmt::format("meshes are read from .{} but not written to it", name);
   throw Error(ErrorCode::kBadOption,
-              format.empty()
-                  ? fmt::format("cannot tell the format of {}; known are {}", path, names)
-                  : fmt::format("no format of meshes is called {}; known are {}", in_quotes(format),
-                                names));
+              fmt::format("{}; {} are {}", what, only_read ? "written" : "known", names));
 }
 
 void check_faces(const PolygonMesh& mesh) {
@@ -73,12 +81,23 @@ void check_sizes(const std::vector<Attribute>& data, std::size_t size, std::stri
   }
 }
 
+void check_edges(const MeshFile& file) {
+  const std::size_t vertices = file.mesh.points.size();
+  for (std::size_t e = 0; e < file.edges.size(); ++e) {
+    const auto [from, to] = file.edges[e];
+    if (from < vertices && to < vertices) continue;
+    const VertexId v = std::max(from, to);
+    throw Error(ErrorCode::kIndexOutOfRange,
+                fmt::format("edge {} names vertex {}, there are {}", e, v, vertices), {e, v});
+  }
+}
+
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() { return kFormats; }
 
 void require_mesh_format(const std::string& path, const std::string& format) {
-  find_format(path, format);
+  find_format(path, format, Use::kWrite);
 }
 
 void check_writable(const MeshFile& file) {
@@ -89,12 +108,13 @@ void check_writable(const MeshFile& file) {
   }
   check_faces(file.mesh);
   check_vertices(file);
+  check_edges(file);
   check_sizes(file.vertex_data, vertices, "vertices");
   check_sizes(file.face_data, file.mesh.face_count(), "faces");
 }
 
 void write_mesh(const std::string& path, const MeshFile& mesh, const std::string& format) {
-  const MeshFormat& chosen = find_format(path, format);
+  const MeshFormat& chosen = find_format(path, format, Use::kWrite);
   check_writable(mesh);
   Output out(path);
   chosen.write(out, mesh);
@@ -102,7 +122,7 @@ void write_mesh(const std::string& path, const MeshFile& mesh, const std::string
 }
 
 MeshFile read_mesh(const std::string& path, const std::string& format) {
-  const MeshFormat& chosen = find_format(path, format);
+  const MeshFormat& chosen = find_format(path, format, Use::kRead);
   const std::string text = read_all(path);
   return chosen.read({source_name(path), text});
 }

@@ -43,14 +43,29 @@ void MeshBuilder::add_face(std::span<const std::uint64_t> corners, std::size_t l
   mesh.face_begin.push_back(static_cast<std::uint32_t>(mesh.face_vertex.size()));
 }
 
-MeshFile MeshBuilder::finish() {
-  for (const auto& [face, corner, line] : forward_) {
+void MeshBuilder::add_edge(std::uint64_t from, std::uint64_t to, std::size_t line) {
+  if (from == to && from < vertex_count()) return;
+  for (const auto end : {from, to}) {
+    if (end >= vertex_count()) forward_edges_.push_back({file_.edges.size(), end, line});
+  }
+  file_.edges.push_back({static_cast<VertexId>(std::min<std::uint64_t>(from, kNone)),
+                         static_cast<VertexId>(std::min<std::uint64_t>(to, kNone))});
+}
+
+void MeshBuilder::check_forward(const std::vector<Forward>& forward, std::string_view what) const {
+  for (const auto& [index, corner, line] : forward) {
     if (corner < vertex_count()) continue;
     fail(line,
-         fmt::format("face {} names vertex {}, there are {}", face + first_index_,
+         fmt::format("{} {} names vertex {}, there are {}", what, index + first_index_,
                      corner + first_index_, vertex_count()),
-         ErrorCode::kIndexOutOfRange, {face, static_cast<std::size_t>(corner)});
+         ErrorCode::kIndexOutOfRange, {index, static_cast<std::size_t>(corner)});
   }
+}
+
+MeshFile MeshBuilder::finish() {
+  check_forward(forward_, "face");
+  check_forward(forward_edges_, "edge");
+  std::erase_if(file_.edges, [](const Segment& s) { return s.from == s.to; });
   if (std::ranges::all_of(file_.z, [](double z) { return z == 0; })) file_.z.clear();
   return std::move(file_);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "io/source.hpp"
@@ -29,15 +30,19 @@ class MeshBuilder {
   /// Corners from 0; they may name vertices that come later. `line` is 0 if there are no lines.
   void add_face(std::span<const std::uint64_t> corners, std::size_t line);
 
-  /// The mesh, every corner a vertex; heights that are all 0 are dropped.
+  /// A line of the file, ends from 0 as for faces. One from a vertex to itself is none.
+  void add_edge(std::uint64_t from, std::uint64_t to, std::size_t line);
+
+  /// The mesh, every corner and end a vertex; heights that are all 0 are dropped.
   MeshFile finish();
 
  private:
   struct Forward {
-    std::size_t face;
+    std::size_t index;
     std::uint64_t corner;
     std::size_t line;
   };
+  void check_forward(const std::vector<Forward>& forward, std::string_view what) const;
   [[noreturn]] void fail(std::size_t line, const std::string& what, ErrorCode code,
                          std::vector<std::size_t> culprits) const;
 
@@ -45,6 +50,7 @@ class MeshBuilder {
   std::uint64_t first_index_;
   MeshFile file_;
   std::vector<Forward> forward_;  // corners that named no vertex yet
+  std::vector<Forward> forward_edges_;
 };
 
 }  // namespace quadloom::io
