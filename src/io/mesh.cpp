@@ -22,6 +22,7 @@ constexpr std::array kFormats = {
     MeshFormat{"json", read_geojson_mesh, write_geojson_mesh},
     MeshFormat{"vtu-ascii", read_vtu, write_vtu_ascii},
     MeshFormat{"msh22", read_msh, write_msh22},
+    MeshFormat{"stl", read_stl, nullptr},
     MeshFormat{"14", read_fort14, nullptr},
     MeshFormat{"gr3", read_fort14, nullptr},
 };
