@@ -46,8 +46,8 @@ struct MeshFile {
   std::vector<double> z;  ///< per vertex, or empty
   std::vector<Attribute> vertex_data;
   std::vector<Attribute> face_data;
-  std::vector<Segment> edges;      ///< lines of the file: .obj l, .msh and .vtu lines, .edge
-  bool z_is_data = false;          ///< z is a height or depth over a planar mesh (.14)
+  std::vector<Segment> edges;  ///< lines of the file: .obj l, .msh and .vtu lines; segments of .ele
+  bool z_is_data = false;      ///< z is a height or depth over a planar mesh (.14)
   std::size_t faces_left_out = 0;  ///< .stl: facets of which two corners are at the same place
 };
 
@@ -64,7 +64,7 @@ void write_mesh(const std::string& path, const MeshFile& mesh, const std::string
 /// read): to be asked before long work.
 void require_mesh_format(const std::string& path, const std::string& format = {});
 
-/// Reads what write_mesh writes, .stl, .14 and .gr3 (docs/formats.md); "-" is standard input (needs `format`).
+/// Reads what write_mesh writes, .stl, .14, .gr3 and .ele with the .node beside it (docs/formats.md); "-" is standard input (needs `format`).
 /// Heights that are all 0 count as none. Throws Error kParse (culprit: the line where there is
 /// one), kNotFinite, kIndexOutOfRange (culprits: face, index), kFile, kBadOption.
 MeshFile read_mesh(const std::string& path, const std::string& format = {});

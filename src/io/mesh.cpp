@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 
 #include "io/mesh_formats.hpp"
 #include "io/text.hpp"
@@ -23,6 +26,7 @@ constexpr std::array kFormats = {
     MeshFormat{"vtu-ascii", read_vtu, write_vtu_ascii},
     MeshFormat{"msh22", read_msh, write_msh22},
     MeshFormat{"stl", read_stl, nullptr},
+    MeshFormat{"ele", read_ele, nullptr},
     MeshFormat{"14", read_fort14, nullptr},
     MeshFormat{"gr3", read_fort14, nullptr},
 };
@@ -125,7 +129,13 @@ void write_mesh(const std::string& path, const MeshFile& mesh, const std::string
 MeshFile read_mesh(const std::string& path, const std::string& format) {
   const MeshFormat& chosen = find_format(path, format, Use::kRead);
   const std::string text = read_all(path);
-  return chosen.read({source_name(path), text});
+  const auto beside = [&](std::string_view extension) -> std::optional<std::string> {
+    auto other = std::filesystem::path(path).replace_extension(extension);
+    std::error_code ignored;
+    if (path == "-" || !std::filesystem::exists(other, ignored)) return {};
+    return read_all(other.string());
+  };
+  return chosen.read({source_name(path), text, beside});
 }
 
 }  // namespace quadloom::io

@@ -18,6 +18,7 @@ MeshFile read_ply(const Source& source);
 MeshFile read_vtu(const Source& source);
 MeshFile read_msh(const Source& source);
 MeshFile read_stl(const Source& source);
+MeshFile read_ele(const Source& source);
 MeshFile read_fort14(const Source& source);
 MeshFile read_geojson_mesh(const Source& source);
 

@@ -9,35 +9,6 @@
 namespace quadloom::io {
 namespace {
 
-//    3 1            segments, markers (0 or 1)
-//    1  1 2  5      number, two points, marker
-void read_segments(TriangleLines& lines, std::int64_t first, PlanarFile& out) {
-  lines.require("the number of segments");
-  const auto segments = lines.count("the number of segments");
-  const auto markers = lines.has_word() ? lines.count("the number of markers") : 0;
-  if (markers > 1) lines.fail(fmt::format("{} markers a segment are too many", markers));
-  if (markers == 1) out.segment_data.push_back({"marker", {}});
-  const auto points = static_cast<std::int64_t>(out.input.points.size());
-  const auto end_of = [&] {
-    const auto number = lines.integer("a point's number");
-    if (number >= first && number - first < points) return static_cast<VertexId>(number - first);
-    throw Error(ErrorCode::kIndexOutOfRange,
-                fmt::format("{}, line {}: there is no point {}, the points are {} to {}",
-                            lines.source().name, lines.number(), number, first, first + points - 1),
-                {lines.number()});
-  };
-  for (std::uint64_t i = 0; i < segments; ++i) {
-    lines.require(fmt::format("segment {} of {}", i + 1, segments));
-    lines.integer("the number of the segment");
-    const VertexId from = end_of(), to = end_of();
-    out.input.segments.push_back({from, to});
-    // Triangle takes a missing marker for 0.
-    if (markers == 1) {
-      out.segment_data[0].values.push_back(lines.has_word() ? lines.finite("the marker") : 0);
-    }
-  }
-}
-
 Point read_place(TriangleLines& lines, std::string_view what) {
   lines.integer(what);
   const double x = lines.finite("x"), y = lines.finite("y");
@@ -81,7 +52,9 @@ PlanarFile read_poly(const Source& source, const std::function<std::string()>& r
   PlanarFile out;
   out.input.points = std::move(nodes.points);
   out.point_data = std::move(nodes.data);
-  read_segments(lines, nodes.first, out);
+  auto segments = read_triangle_segments(lines, nodes.first, out.input.points.size());
+  out.input.segments = std::move(segments.segments);
+  if (segments.has_markers) out.segment_data.push_back({"marker", std::move(segments.marker)});
   read_holes(lines, out);
   read_regions(lines, out);
   return out;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,9 @@ namespace quadloom::io {
 struct Source {
   std::string name;
   std::string_view text;
+  /// The text of the file of the same name with another extension ("node"), if there is one; empty:
+  /// there are no files beside this text.
+  std::function<std::optional<std::string>(std::string_view extension)> beside = {};
 };
 
 /// The bytes of a file; "-" is standard input. Throws Error kFile.

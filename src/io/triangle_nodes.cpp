@@ -79,4 +79,36 @@ TriangleNodes read_triangle_nodes(TriangleLines& lines) {
   return out;
 }
 
+VertexId read_triangle_point(TriangleLines& lines, std::int64_t first, std::size_t points) {
+  const auto number = lines.integer("a point's number");
+  const auto count = static_cast<std::int64_t>(points);
+  if (number >= first && number - first < count) return static_cast<VertexId>(number - first);
+  throw Error(ErrorCode::kIndexOutOfRange,
+              fmt::format("{}, line {}: there is no point {}, the points are {} to {}",
+                          lines.source().name, lines.number(), number, first, first + count - 1),
+              {lines.number()});
+}
+
+//    3 1            segments, markers (0 or 1)
+//    1  1 2  5      number, two points, marker
+TriangleSegments read_triangle_segments(TriangleLines& lines, std::int64_t first,
+                                        std::size_t points) {
+  lines.require("the number of segments");
+  const auto segments = lines.count("the number of segments");
+  const auto markers = lines.has_word() ? lines.count("the number of markers") : 0;
+  if (markers > 1) lines.fail(fmt::format("{} markers a segment are too many", markers));
+  TriangleSegments out;
+  out.has_markers = markers == 1;
+  for (std::uint64_t i = 0; i < segments; ++i) {
+    lines.require(fmt::format("segment {} of {}", i + 1, segments));
+    lines.integer("the number of the segment");
+    const VertexId from = read_triangle_point(lines, first, points);
+    const VertexId to = read_triangle_point(lines, first, points);
+    out.segments.push_back({from, to});
+    // Triangle takes a missing marker for 0.
+    if (out.has_markers) out.marker.push_back(lines.has_word() ? lines.finite("the marker") : 0);
+  }
+  return out;
+}
+
 }  // namespace quadloom::io

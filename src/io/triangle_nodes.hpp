@@ -1,5 +1,5 @@
-// What the formats of Triangle have in common: lines of words with # comments, and the list of
-// points that begins a .node and a .poly.
+// What the formats of Triangle have in common: lines of words with # comments, the list of points
+// that begins a .node and a .poly, the list of edges of a .poly and an .edge.
 #pragma once
 
 #include <cstdint>
@@ -46,5 +46,19 @@ struct TriangleNodes {
 
 /// The line of counts and the points that follow it.
 TriangleNodes read_triangle_nodes(TriangleLines& lines);
+
+/// The point with the line's next number, of `points` points that are numbered from `first`. Throws
+/// Error kIndexOutOfRange naming the line.
+VertexId read_triangle_point(TriangleLines& lines, std::int64_t first, std::size_t points);
+
+struct TriangleSegments {
+  std::vector<Segment> segments;
+  bool has_markers = false;
+  std::vector<double> marker;  ///< one a segment if there are markers
+};
+
+/// The line of counts and the segments that follow it.
+TriangleSegments read_triangle_segments(TriangleLines& lines, std::int64_t first,
+                                        std::size_t points);
 
 }  // namespace quadloom::io

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "io/mesh_formats.hpp"
@@ -36,13 +38,30 @@ inline bool try_points(std::string_view format, std::string_view text) {
   }
 }
 
+/// The files beside an .ele, from one text: TRIANGLES \f NODES \f EDGES \f POLY. The nodes are a square
+/// if they are not there.
+inline std::optional<std::string> part_of(std::string_view text, std::string_view extension) {
+  const std::size_t part = extension == "node" ? 1 : extension == "edge" ? 2 : 3;
+  for (std::size_t i = 0; i < part; ++i) {
+    const auto end = text.find('\f');
+    if (end == std::string_view::npos) {
+      if (extension == "node") return "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+      return {};
+    }
+    text.remove_prefix(end + 1);
+  }
+  return std::string(text.substr(0, text.find('\f')));
+}
+
 /// True if the text was read.
 inline bool try_mesh(std::string_view format, std::string_view text) {
   for (const auto& known : io::mesh_formats()) {
     if (known.name != format) continue;
     io::MeshFile file;
     try {
-      file = known.read({"input", text});
+      const bool parts = format == "ele";
+      file = known.read({"input", parts ? text.substr(0, text.find('\f')) : text,
+                         [&](std::string_view extension) { return part_of(text, extension); }});
     } catch (const Error&) {
       return false;
     }
