@@ -6,6 +6,7 @@
 // there is one chart, the identity.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -46,6 +47,23 @@ class Chart {
                        : dropped_ == Dropped::kY ? Point{z, p.x}
                                                  : p;
     return turned_ ? Point{seen.y, seen.x} : seen;
+  }
+  Point operator()(Vector3 p) const { return (*this)({p.x, p.y}, p.z); }
+
+  /// The point on the plane of three corners that is seen at `seen`, up to rounding in the
+  /// coordinate that the chart drops.
+  Vector3 lift(Point seen, const std::array<Vector3, 3>& corner) const {
+    const Point a = (*this)(corner[0]), b = (*this)(corner[1]), c = (*this)(corner[2]);
+    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const double v = ((seen.x - a.x) * (c.y - a.y) - (seen.y - a.y) * (c.x - a.x)) / area;
+    const double w = ((b.x - a.x) * (seen.y - a.y) - (b.y - a.y) * (seen.x - a.x)) / area;
+    const auto dropped = [&](double at_a, double at_b, double at_c) {
+      return at_a + v * (at_b - at_a) + w * (at_c - at_a);
+    };
+    const Point p = turned_ ? Point{seen.y, seen.x} : seen;
+    if (dropped_ == Dropped::kX) return {dropped(corner[0].x, corner[1].x, corner[2].x), p.x, p.y};
+    if (dropped_ == Dropped::kY) return {p.y, dropped(corner[0].y, corner[1].y, corner[2].y), p.x};
+    return {p.x, p.y, dropped(corner[0].z, corner[1].z, corner[2].z)};
   }
 
  private:

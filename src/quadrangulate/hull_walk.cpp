@@ -75,7 +75,9 @@ std::optional<SteinerPoint> walk_to_hull(PairedMesh& mesh, Walker& walker, const
       const HalfedgeId edge = walker.reach_boundary(starts, goal, {quads});
       if (edge == kNone) continue;
       const VertexId a = mesh.tri.origin(edge), b = mesh.tri.target(edge);
-      return SteinerPoint{attach_boundary_point(mesh, edge, *place), kind, {a, b, kNone}};
+      const VertexId s = add_vertex(mesh, {place->x, place->y});
+      attach_at_boundary(mesh, edge, s, kind);
+      return SteinerPoint{s, kind, {a, b, kNone}};
     }
   }
   return std::nullopt;

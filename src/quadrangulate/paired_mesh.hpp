@@ -4,17 +4,32 @@
 #include <array>
 #include <vector>
 
-#include "quadloom/core.hpp"
+#include "kernel/chart.hpp"
+#include "quadloom/quadrangulate.hpp"
 
 namespace quadloom::quadrangulate {
 
-/// mate[t] is the halfedge of t inside its quad, kNone for a free triangle.
+/// mate[t] is the halfedge of t inside its quad, kNone for a free triangle. An edge that must stay
+/// has no twin, so that nothing crosses it.
 struct PairedMesh {
   Triangulation tri;
   std::vector<HalfedgeId> mate;
+  std::vector<double> z;           // of a surface in space, else empty
+  std::vector<TriangleId> source;  // of each triangle, or empty; see TriangleResult::quad_source
 
   bool is_free(TriangleId t) const { return mate[t] == kNone; }
   Point point(VertexId v) const { return tri.points[v]; }
+  bool planar() const { return z.empty(); }
+  kernel::Places places() const { return {tri.points, z}; }
+  /// Twice the area along the normal; the same bits whichever corner comes first.
+  kernel::Vector3 area(VertexId a, VertexId b, VertexId c) const {
+    if (b < a && b < c) return places().area(b, c, a);
+    if (c < a && c < b) return places().area(c, a, b);
+    return places().area(a, b, c);
+  }
+  kernel::Vector3 area(TriangleId t) const {
+    return area(tri.tri_vertex[3 * t], tri.tri_vertex[3 * t + 1], tri.tri_vertex[3 * t + 2]);
+  }
 
   /// Makes the two triangles at h one quad.
   void pair(HalfedgeId h) {
@@ -83,15 +98,20 @@ inline constexpr int kWheel = 5;
 /// triangles, which are returned, the free one first; their outer neighbours keep their halfedges.
 std::array<TriangleId, 3> recut_pentagon(PairedMesh& mesh, HalfedgeId enter, int ear);
 
-/// A new vertex at `place`, outside the boundary edge a->b of the free triangle or exactly on it,
-/// turns that triangle into the quad a, s, b, c. Returns the new vertex.
+/// A new vertex, with z on a surface; returns it.
+VertexId add_vertex(PairedMesh& mesh, kernel::Vector3 place);
+/// A new free triangle without neighbours that has the source of `like` (kNone: none); returns it.
+TriangleId add_triangle(PairedMesh& mesh, TriangleId like);
+
+/// The vertex s, outside the boundary edge a->b of the free triangle (kOutside) or on it (kOnEdge),
+/// turns that triangle into the quad a, s, b, c.
 ///
 ///        c                   c
 ///      /   .               / | .
 ///     a --- b     or      a--s--b
 ///      .   /
 ///        s
-VertexId attach_boundary_point(PairedMesh& mesh, HalfedgeId boundary, Point place);
+void attach_at_boundary(PairedMesh& mesh, HalfedgeId boundary, VertexId s, SteinerKind kind);
 
 /// The quads and the free triangles, in the order of the triangles.
 Quadrangulation to_quadrangulation(const PairedMesh& mesh);

@@ -29,7 +29,7 @@
 #include "quadloom/kernel.hpp"
 #include "quadrangulate/diagonal_slides.hpp"
 #include "quadrangulate/hull_walk.hpp"
-#include "quadrangulate/walk.hpp"
+#include "quadrangulate/walk_rounds.hpp"
 
 namespace quadloom::quadrangulate {
 namespace {
@@ -67,45 +67,7 @@ class VertexOrder {
 
 PairedMesh pair_by_shape(Triangulation&& delaunay) {
   std::vector<HalfedgeId> mate = greedy_shape_matching(delaunay).mate;
-  return {std::move(delaunay), std::move(mate)};
-}
-
-std::vector<TriangleId> free_triangles(const PairedMesh& mesh) {
-  std::vector<TriangleId> free;
-  for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
-    if (mesh.is_free(t)) free.push_back(t);
-  }
-  return free;
-}
-
-/// One round: every triangle that is still free looks for another within the limits.
-void walk_round(Walker& walker, const PairedMesh& mesh, const WalkLimits& limits) {
-  for (const TriangleId t : free_triangles(mesh)) {
-    if (mesh.is_free(t)) walker.merge(t, limits);
-  }
-}
-
-void walk_together(Walker& walker, const PairedMesh& mesh, const Progress& progress) {
-  // Small searches first bring near ones together; what has no convex way within 4,000 nodes seldom
-  // has one.
-  constexpr WalkLimits kRounds[] = {
-      {WalkQuads::kStrictlyConvex, 20},
-      {WalkQuads::kStrictlyConvex, 100},
-      {WalkQuads::kStrictlyConvex, 1'000},
-      {WalkQuads::kStrictlyConvex, 4'000, 2},
-      {WalkQuads::kAny, 1'000},
-      {WalkQuads::kAny, 100'000},
-      {WalkQuads::kAny, kNone},
-      {WalkQuads::kAny, kNone, 4},
-      {WalkQuads::kAny, kNone, 16},
-      {WalkQuads::kAny, kNone, 255},
-  };
-  double done = 0;
-  for (const WalkLimits& limits : kRounds) {
-    report_progress(progress, "walking", done++ / std::size(kRounds));
-    if (free_triangles(mesh).size() <= 1) return;
-    walk_round(walker, mesh, limits);
-  }
+  return {std::move(delaunay), std::move(mate), {}, {}};
 }
 
 }  // namespace
@@ -132,7 +94,7 @@ std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
     }
     result.steiner.push_back(*placed);
   }
-  walk_together(walker, mesh, options.progress);
+  walk_together(walker, mesh, kPlanarRounds, options.progress);
   const std::size_t left = free_triangles(mesh).size();
   if (left != (odd && options.odd_boundary == OddBoundary::kTriangle ? 1U : 0U))
     return std::nullopt;

@@ -1,6 +1,7 @@
 #include "quadrangulate/walk.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/predicates_inline.hpp"
 #include "kernel/squareness.hpp"
@@ -125,8 +126,16 @@ void Walker::try_goal(std::uint32_t from, std::size_t i, const WalkLimits& limit
   const Node& node = nodes_[from];
   const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
   if (search_of_[triangle_of(enter)] == searches_) return;  // the start itself
-  const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
-  const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.tri.apex(enter));
+  const VertexId apex = mesh_.tri.apex(enter);
+  const TriangleId other = triangle_of(enter);
+  kernel::Chart chart;
+  if (!mesh_.planar()) {
+    if (apex == node.corner[(i + 2) % 3]) return;  // both have the same three corners
+    if (!flat_enough(node, {&other, 1}, limits.least_cosine, chart)) return;
+  }
+  const auto seen = [&](VertexId v) { return mesh_.places().seen(chart, v); };
+  const Point a = seen(node.corner[i]), b = seen(node.corner[(i + 1) % 3]);
+  const Point c = seen(node.corner[(i + 2) % 3]), d = seen(apex);
   const std::uint32_t cost = quad_cost(classify_quad(a, d, b, c), a, d, b, c, limits.quads);
   if (cost == kForbidden) return;
   Node goal{from, enter, node.corner, {kNone, kNone, kNone}};
@@ -144,13 +153,20 @@ void Walker::try_ears(std::uint32_t from, std::size_t i, const WalkLimits& limit
   const std::array<VertexId, 5> corner = {b, c, a, mesh_.tri.origin(quad.side[1]),
                                           mesh_.tri.origin(quad.side[2])};
   if (c == corner[3] || c == corner[4]) {
-    if (limits.quads == WalkQuads::kAny) try_wheel(from, enter, quad, c == corner[4] ? b : a);
+    // Across an edge that must stay the three triangles do not hang together.
+    const bool about_b = c == corner[4];
+    const HalfedgeId spoke = node.exit[(i + (about_b ? 1U : 2U)) % 3];
+    const bool whole = spoke != kNone && mesh_.tri.twin[spoke] == quad.side[about_b ? 2 : 0];
+    if (whole && limits.quads == WalkQuads::kAny) try_wheel(from, enter, quad, about_b ? b : a);
     return;
   }
   const std::array<HalfedgeId, 5> side = {node.exit[(i + 1) % 3], node.exit[(i + 2) % 3],
                                           quad.side[0], quad.side[1], quad.side[2]};
+  kernel::Chart chart;
+  const std::array<TriangleId, 2> both = {quad.near, quad.far};
+  if (!mesh_.planar() && !flat_enough(node, both, limits.least_cosine, chart)) return;
   std::array<Point, 5> p;
-  for (std::size_t k = 0; k < 5; ++k) p[k] = mesh_.point(corner[k]);
+  for (std::size_t k = 0; k < 5; ++k) p[k] = mesh_.places().seen(chart, corner[k]);
   const PentagonTurns turns(p);
   for (const std::size_t ear : {0U, 2U, 3U, 4U}) {
     const std::size_t before = (ear + 4) % 5, after = (ear + 1) % 5;
@@ -164,6 +180,36 @@ void Walker::try_ears(std::uint32_t from, std::size_t i, const WalkLimits& limit
                 {side[before], side[ear], kNone},
                 static_cast<std::int8_t>(ear)});
   }
+}
+
+/// Whether the node's triangle and the others are seen from their left sides in one chart, which is
+/// then set, and their normals are near each other.
+bool Walker::flat_enough(const Node& node, std::span<const TriangleId> others, double least_cosine,
+                         kernel::Chart& chart) const {
+  std::array<kernel::Vector3, 3> area = {
+      mesh_.area(node.corner[0], node.corner[1], node.corner[2])};
+  kernel::Vector3 sum = area[0];
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    area[i + 1] = mesh_.area(others[i]);
+    sum = sum + area[i + 1];
+  }
+  for (std::size_t i = 0; i <= others.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double lengths = std::sqrt(dot(area[i], area[i]) * dot(area[j], area[j]));
+      if (!(dot(area[i], area[j]) >= least_cosine * lengths)) return false;
+    }
+  }
+  chart = kernel::Chart(sum);
+  const auto turns_left = [&](VertexId a, VertexId b, VertexId c) {
+    const kernel::Places places = mesh_.places();
+    return kernel::orient(places.seen(chart, a), places.seen(chart, b), places.seen(chart, c)) > 0;
+  };
+  if (!turns_left(node.corner[0], node.corner[1], node.corner[2])) return false;
+  for (const TriangleId t : others) {
+    const VertexId* v = &mesh_.tri.tri_vertex[std::size_t{3} * t];
+    if (!turns_left(v[0], v[1], v[2])) return false;
+  }
+  return true;
 }
 
 //        r            The quad b, a, d, e has its corner e or d at the free triangle's third

@@ -20,6 +20,8 @@ struct WalkLimits {
   WalkQuads quads = WalkQuads::kAny;
   std::size_t nodes = 0xffffffffU;  // of the search, at most
   std::uint8_t visits = 1;          // how many routes may go through the same quad
+  /// On a surface: the least cosine between the normals of the three triangles of a pentagon.
+  double least_cosine = -1;
 };
 
 /// Cheapest walks on a paired mesh.
@@ -93,6 +95,8 @@ class Walker {
   void try_boundary(std::uint32_t from, std::size_t i, const BoundaryGoal& boundary);
   void try_ears(std::uint32_t from, std::size_t i, const WalkLimits& limits);
   void try_wheel(std::uint32_t from, HalfedgeId enter, const QuadBehind& quad, VertexId centre);
+  bool flat_enough(const Node& node, std::span<const TriangleId> others, double least_cosine,
+                   kernel::Chart& chart) const;
   bool may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits);
   void push(std::uint32_t move_cost, const Node& node);
   TriangleId apply(std::uint32_t node);

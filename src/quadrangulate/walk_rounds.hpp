@@ -1,0 +1,41 @@
+// Rounds of walks that bring the left-over triangles of a paired mesh together.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "quadrangulate/walk.hpp"
+
+namespace quadloom::quadrangulate {
+
+std::vector<TriangleId> free_triangles(const PairedMesh& mesh);
+
+/// Small searches first bring near ones together; what has no convex way within 4,000 nodes seldom
+/// has one.
+inline constexpr WalkLimits kPlanarRounds[] = {
+    {WalkQuads::kStrictlyConvex, 20},
+    {WalkQuads::kStrictlyConvex, 100},
+    {WalkQuads::kStrictlyConvex, 1'000},
+    {WalkQuads::kStrictlyConvex, 4'000, 2},
+    {WalkQuads::kAny, 1'000},
+    {WalkQuads::kAny, 100'000},
+    {WalkQuads::kAny, kNone},
+    {WalkQuads::kAny, kNone, 4},
+    {WalkQuads::kAny, kNone, 16},
+    {WalkQuads::kAny, kNone, 255},
+};
+
+/// On a surface a re-cut changes its shape, so only where it is rather flat (normals within 20 and
+/// then 45 degrees), and not far: a Steiner point keeps the shape.
+inline constexpr WalkLimits kSurfaceRounds[] = {
+    {WalkQuads::kStrictlyConvex, 20, 1, 0.94},    {WalkQuads::kStrictlyConvex, 200, 1, 0.94},
+    {WalkQuads::kStrictlyConvex, 4'000, 2, 0.94}, {WalkQuads::kStrictlyConvex, 4'000, 2, 0.7},
+    {WalkQuads::kAny, 10'000, 2, 0.94},           {WalkQuads::kAny, 10'000, 2, 0.7},
+};
+
+/// In each round every triangle that is still free looks for another within the round's limits.
+/// Returns how many are free at the end.
+std::size_t walk_together(Walker& walker, const PairedMesh& mesh,
+                          std::span<const WalkLimits> rounds, const Progress& progress);
+
+}  // namespace quadloom::quadrangulate
