@@ -1,6 +1,5 @@
 // Methods that are still to come, one by one replaced by their files.
 #include "quadrangulate/triangulation_fans.hpp"
-#include "quadrangulate/triangulation_pair.hpp"
 #include "quadrangulate/triangulation_percolate.hpp"
 #include "quadrangulate/triangulation_q_percolation.hpp"
 #include "quadrangulate/triangulation_subdivide.hpp"
@@ -8,8 +7,6 @@
 namespace quadloom::quadrangulate {
 
 [[noreturn]] static void missing() { throw Error(ErrorCode::kBadOption, "not there yet"); }
-
-TriangleResult pair_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
 
 TriangleResult percolate_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
 

@@ -17,7 +17,7 @@ namespace {
 PairedMesh unpaired(const std::vector<Point>& points) {
   Triangulation tri = delaunay(points).mesh;
   const std::size_t count = tri.triangle_count();
-  return {std::move(tri), std::vector<HalfedgeId>(count, kNone)};
+  return {std::move(tri), std::vector<HalfedgeId>(count, kNone), {}, {}};
 }
 
 /// Pairs triangles in random order, whatever the shape; returns how many stay free.
