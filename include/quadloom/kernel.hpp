@@ -77,8 +77,9 @@ std::vector<VertexId> convex_spiral(std::span<const Point> points, const ConvexL
 
 /// What the third coordinate of a mesh means.
 enum class Space {
-  kAuto,     ///< kPlane if the triangles, seen from above, all turn the same way; else kSurface
-  kPlane,    ///< heights or depths are data: decisions and shapes are those of the plane
+  kAuto,   ///< kPlane if all vertices are at one height, or if the faces, seen from above, all turn
+           ///< the same way and no two of their vertices are above each other; else kSurface
+  kPlane,  ///< heights or depths are data: decisions and shapes are those of the plane
   kSurface,  ///< a surface in space: shapes are measured in space
 };
 
@@ -100,7 +101,7 @@ struct ConnectedMesh {
   std::vector<VertexId> input_to_vertex;   ///< equal vertices merged, if asked for
   std::vector<std::uint32_t> source_face;  ///< per triangle: the face of the input
   Space space = Space::kPlane;             ///< kPlane or kSurface
-  std::size_t turned_faces = 0;            ///< repaired: faces given the other way around
+  std::size_t turned_faces = 0;            ///< faces given the other way around
   std::size_t flat_faces = 0;              ///< repaired: triangles without area
   std::size_t unused_vertices = 0;
   std::size_t components = 0;       ///< of triangles connected over edges
@@ -109,17 +110,32 @@ struct ConnectedMesh {
 };
 
 /// Connects triangles and quads over their edges and checks them: each edge has at most two faces,
-/// one on each side; in the plane every triangle has a positive area and used vertices are distinct.
-/// `z` is empty or one a vertex. A triangle without area is repaired by a flip of its longest edge, or
-/// left out if that edge is on the boundary. Throws Error kBadMesh (a face of other than three or
-/// four corners, a corner twice, an edge with three faces, a surface with one side, a quad that is
-/// not simple, repeated places in the plane, or what `faulty` refuses; culprits: the edge's vertices,
-/// or the face), kIndexOutOfRange, kNotFinite, kTooFewPoints (no faces). O(n log n).
+/// one on each side; no triangle is without area. Vertices keep their numbers, used or not, unless
+/// they are merged (in the plane whatever their heights, which TriangleMesh::z then does not have).
+/// Bow-ties (two fans of triangles at one vertex) are allowed. Whether faces lie over each other is
+/// not looked at.
+///
+/// Quads are cut by a diagonal that is inside, so are two triangles with a given_pair. In the plane
+/// faces are turned counter-clockwise, and used vertices must be at different places. On a surface the
+/// faces of a component are turned as most of them were given, in a tie as its first. A triangle
+/// without area (exactly: its corners are on a line) is flipped into its neighbour across its longest
+/// edge, whose side then has a vertex more (a given quad there is one no longer), or left out if that
+/// edge is on the boundary. FaultyFaces::kRefuse refuses both, but not a planar mesh that is clockwise
+/// as a whole. A corner that repeats the one before counts once: quads become triangles, triangles
+/// are without area.
+///
+/// Throws Error kBadMesh (sizes that do not agree, a face of other than three or four corners, a
+/// corner twice, an edge with three faces or with two on one side, a surface with one side, a quad
+/// that is not simple, two vertices at one place in the plane, a triangle without area that cannot be
+/// repaired, or what `faulty` refuses; culprits, as numbers of the input: the edge's vertices, the two
+/// vertices, or the face), kIndexOutOfRange (culprits: face, index), kNotFinite (the vertex),
+/// kTooFewPoints (no faces with an area), kTooManyPoints. O(n log n).
 ConnectedMesh connect_triangles(const PolygonMesh& mesh, std::span<const double> z = {},
                                 const ConnectOptions& options = {});
 
-/// Marks the edges to keep (TriangleMesh::keep) where the normals of the two triangles differ by more
-/// than `degrees`; returns how many edges. In the plane there are none. O(n).
+/// Adds to the edges to keep (TriangleMesh::keep) those where the normals of the two triangles differ
+/// by more than `degrees` (0 to 180, else Error kBadOption), in floating point; returns how many
+/// edges do. The diagonals of given quads are none. In the plane there are none. O(n).
 std::size_t keep_sharp_edges(TriangleMesh& mesh, double degrees);
 
 // ---- Delaunay. ----
