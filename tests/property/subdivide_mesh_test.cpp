@@ -278,29 +278,23 @@ TEST(SubdivideMesh, QuadsThatAreNotConvexEnough) {
   ASSERT_NO_FATAL_FAILURE(expect_planar(source, result, result.mesh.quad_count() == 4 ? 1 : 0));
 }
 
-// Nothing reaches over an edge to keep or a border: such a given quad counts as two triangles, and the
-// edge is two edges of the mesh.
-TEST(SubdivideMesh, EdgesToKeepAndRegionsAreSplitInTwo) {
+// Every edge of the source but the diagonals of split quads is two edges of the result, so that nothing
+// reaches over edges to keep or borders; and parts are counted by them.
+TEST(SubdivideMesh, EdgesAreSplitInTwo) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     TriangleMesh source = mixed_mesh("uniform", 100, seed);
-    const std::vector<HalfedgeId> diagonals = convex_diagonals(source);
-    const bool by_region = seed % 2 == 0;
-    std::set<HalfedgeId> kept;
-    if (by_region) source.region.assign(source.mesh.triangle_count(), 7);
-    if (!by_region) source.keep.assign(source.mesh.twin.size(), 0);
-    for (std::size_t i = 0; i < diagonals.size(); i += 3) {
-      kept.insert(diagonals[i]);
-      if (by_region) {
-        source.region[triangle_of(diagonals[i])] = static_cast<std::uint32_t>(i);
-      } else {
-        source.keep[i % 2 == 0 ? diagonals[i] : source.mesh.twin[diagonals[i]]] = 1;
-      }
+    Random random(seed);
+    for (TriangleId t = 0; t < source.mesh.triangle_count(); ++t) {
+      const HalfedgeId h = source.given_pair[t];
+      const TriangleId other = h == kNone ? t : triangle_of(source.mesh.twin[h]);
+      source.region.push_back(other < t ? source.region[other]
+                                        : static_cast<std::uint32_t>(random.below(4)));
     }
     const TriangleResult result = subdivide(source);
-    ASSERT_NO_FATAL_FAILURE(expect_planar(source, result, diagonals.size() - kept.size()));
-    if (by_region) {
-      EXPECT_GT(result.statistics.parts, kept.size());
+    ASSERT_NO_FATAL_FAILURE(expect_planar(source, result, convex_diagonals(source).size()));
+    for (const auto& [t, u] : result.quad_source) {
+      ASSERT_TRUE(u == kNone || source.region[t] == source.region[u]);
     }
     std::set<std::pair<VertexId, VertexId>> edges;
     for (std::size_t i = 0; i < result.mesh.quad_vertex.size(); ++i) {
@@ -312,6 +306,19 @@ TEST(SubdivideMesh, EdgesToKeepAndRegionsAreSplitInTwo) {
       ASSERT_TRUE(edges.contains({s.parents[0], s.vertex}));
       ASSERT_TRUE(edges.contains({s.vertex, s.parents[1]}));
     }
+
+    TriangleMesh kept = source;  // the same borders as edges to keep, on one side
+    kept.region.clear();
+    for (HalfedgeId h = 0; h < source.mesh.twin.size(); ++h) {
+      const HalfedgeId back = source.mesh.twin[h];
+      const bool border = back != kNone && h < back &&
+                          source.region[triangle_of(h)] != source.region[triangle_of(back)];
+      kept.keep.push_back(border ? 1 : 0);
+    }
+    const TriangleResult same = subdivide(kept);
+    EXPECT_EQ(same.mesh.quad_vertex, result.mesh.quad_vertex);
+    EXPECT_EQ(same.statistics.parts, result.statistics.parts);
+    EXPECT_GT(same.statistics.parts, 4U);
   }
 }
 
@@ -408,46 +415,41 @@ void expect_surface(const TriangleMesh& source, const TriangleResult& result,
   ASSERT_EQ(open, 2 * result.statistics.boundary_edges);
 }
 
-/// A grid of wide x high cells, each two triangles or a quad; `around`: columns (and with `twice` rows)
-/// are joined into a tube (a torus).
-TriangleMesh grid_surface(VertexId wide, VertexId high, bool around, bool twice, bool quads,
-                          auto&& place) {
-  TriangleMesh out;
-  const VertexId columns = around ? wide : wide + 1, rows = twice ? high : high + 1;
+struct Place3 {
+  double x, y, z;
+};
+
+enum class Cells { kTriangles, kQuads };
+enum class Shape { kSheet, kTube, kTorus };
+
+/// A grid of wide x high cells; in a tube the last column is the first, in a torus the last row too.
+TriangleMesh grid_surface(VertexId wide, VertexId high, Shape shape, Cells cells, auto&& place) {
+  const VertexId columns = shape == Shape::kSheet ? wide + 1 : wide,
+                 rows = shape == Shape::kTorus ? high : high + 1;
+  PolygonMesh faces;
+  std::vector<double> z;
   for (VertexId j = 0; j < rows; ++j) {
     for (VertexId i = 0; i < columns; ++i) {
-      const auto [x, y, z] = place(i, j);
-      out.mesh.points.push_back({x, y});
-      out.z.push_back(z);
+      const Place3 p = place(i, j);
+      faces.points.push_back({p.x, p.y});
+      z.push_back(p.z);
     }
   }
-  std::map<std::pair<VertexId, VertexId>, HalfedgeId> halfedge;
   for (VertexId j = 0; j < high; ++j) {
     for (VertexId i = 0; i < wide; ++i) {
       const VertexId right = (i + 1) % columns, up = (j + 1) % rows;
       const VertexId a = j * columns + i, b = j * columns + right, c = up * columns + right,
                      d = up * columns + i;
-      for (const VertexId v : {a, b, c, a, c, d}) out.mesh.tri_vertex.push_back(v);
-      const auto t = static_cast<TriangleId>(out.mesh.triangle_count() - 2);
-      if (quads) {
-        out.given_pair.push_back(3 * t + 2);
-        out.given_pair.push_back(3 * t + 3);
+      if (cells == Cells::kQuads) {
+        faces.add_face(std::array{a, b, c, d});
+      } else {
+        faces.add_face(std::array{a, b, c});
+        faces.add_face(std::array{a, c, d});
       }
     }
   }
-  for (HalfedgeId h = 0; h < out.mesh.tri_vertex.size(); ++h) {
-    halfedge[{out.mesh.origin(h), out.mesh.target(h)}] = h;
-  }
-  for (HalfedgeId h = 0; h < out.mesh.tri_vertex.size(); ++h) {
-    const auto back = halfedge.find({out.mesh.target(h), out.mesh.origin(h)});
-    out.mesh.twin.push_back(back == halfedge.end() ? kNone : back->second);
-  }
-  return out;
+  return connect_triangles(faces, z, {.space = Space::kSurface}).triangles;
 }
-
-struct Place3 {
-  double x, y, z;
-};
 
 Place3 on_torus(VertexId i, VertexId j) {
   const double u = i * std::numbers::pi / 12, v = j * std::numbers::pi / 8;
@@ -455,18 +457,15 @@ Place3 on_torus(VertexId i, VertexId j) {
 }
 
 TEST(SubdivideMesh, SurfacesOpenAndClosed) {
-  for (const bool quads : {false, true}) {
-    for (const bool around : {false, true}) {
-      for (const bool twice : {false, true}) {
-        if (twice && !around) continue;
-        SCOPED_TRACE(std::string(quads ? "quads" : "triangles") + (around ? ", a tube" : "") +
-                     (twice ? ", a torus" : ""));
-        const TriangleMesh source = grid_surface(24, 16, around, twice, quads, on_torus);
-        const TriangleResult result = subdivide(source);
-        ASSERT_NO_FATAL_FAILURE(
-            expect_surface(source, result, quads ? source.mesh.triangle_count() / 2 : 0));
-        EXPECT_EQ(result.statistics.boundary_edges, twice ? 0U : around ? 48U : 80U);
-      }
+  for (const Cells cells : {Cells::kTriangles, Cells::kQuads}) {
+    for (const Shape shape : {Shape::kSheet, Shape::kTube, Shape::kTorus}) {
+      SCOPED_TRACE("cells " + std::to_string(static_cast<int>(cells)) + ", shape " +
+                   std::to_string(static_cast<int>(shape)));
+      const TriangleMesh source = grid_surface(24, 16, shape, cells, on_torus);
+      const TriangleResult result = subdivide(source);
+      ASSERT_NO_FATAL_FAILURE(expect_surface(source, result, cells == Cells::kQuads ? 384 : 0));
+      const std::size_t border = shape == Shape::kSheet ? 80 : shape == Shape::kTube ? 48 : 0;
+      EXPECT_EQ(result.statistics.boundary_edges, border);
     }
   }
 }
@@ -478,7 +477,7 @@ TEST(SubdivideMesh, RoughSurfaces) {
     Random random(seed);
     const double steep = std::ldexp(1.0, static_cast<int>(seed % 12) - 4);
     const TriangleMesh source =
-        grid_surface(12, 9, false, false, false, [&](VertexId i, VertexId j) {
+        grid_surface(12, 9, Shape::kSheet, Cells::kTriangles, [&](VertexId i, VertexId j) {
           const double x = i + random.uniform() / 3, y = j + random.uniform() / 3,
                        z = steep * random.uniform();
           return seed % 3 == 0   ? Place3{x, y, z}
