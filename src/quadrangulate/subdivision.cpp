@@ -306,14 +306,13 @@ bool Subdivision::is_leaned_on(TriangleId t) const {
   });
 }
 
-/// The boundary makes room at e, what is behind the edges that moved is placed again; whether e did.
-bool Subdivision::make_room(EdgeId e) {
+/// The boundary makes room at e, what is behind the edges that moved is placed again.
+void Subdivision::make_room(EdgeId e) {
   for (const EdgeId moved : boundary_->make_room(*this, e)) {
     settled_[moved] = 1;
     const TriangleId t = triangle_of(halfedge_[moved]);
     if (!try_place(t) && !std::exchange(is_stuck_[t], 1)) stuck_.push_back(t);
   }
-  return settled_[e] != 0;
 }
 
 /// The points of the edges of t move in the direction outwards of the longest one, where they may; on
@@ -348,16 +347,16 @@ bool Subdivision::straighten(TriangleId t) {
   const EdgeId e = edge_of_[h];
   const bool outside = on_boundary(e);
   if (!outside && !settled_[e] && is_stuck_[triangle_of(mesh_.twin[h])]) return false;
-  const bool made_room = outside && !settled_[e] && make_room(e);
-  const bool must_move = outside && !settled_[e] && is_leaned_on(t);
-  if ((outside || settled_[e]) && !must_move && try_place(t)) return true;
+  if (outside && !settled_[e]) make_room(e);
+  const bool may_go_out = outside && !settled_[e];
+  if ((outside || settled_[e]) && !(may_go_out && is_leaned_on(t)) && try_place(t)) return true;
 
   std::array<Vector3, 3> old;
   for (HalfedgeId i = 0; i < 3; ++i) old[i] = edge_at(edge_of_[3 * t + i]);
   for (int step = 0; step < kThinnest - kWidest; ++step) {
-    if (!move_edges(t, h, outside && !made_room ? power_outside(step) : kWidest + step)) continue;
+    if (!move_edges(t, h, may_go_out ? power_outside(step) : kWidest + step)) continue;
     for (const HalfedgeId side : sides_of_triangle(t)) settled_[edge_of_[side]] = 1;
-    if (outside) boundary_->moved(*this, e);
+    if (may_go_out) boundary_->moved(*this, e);
     return true;
   }
   for (HalfedgeId i = 0; i < 3; ++i) set_edge(edge_of_[3 * t + i], old[i]);

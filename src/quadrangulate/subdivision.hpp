@@ -116,7 +116,7 @@ class Subdivision {
   Vector3 outwards(HalfedgeId h) const;
   bool neighbours_hold(TriangleId t) const;
   bool is_leaned_on(TriangleId t) const;
-  bool make_room(EdgeId e);
+  void make_room(EdgeId e);
   bool move_edges(TriangleId t, HalfedgeId longest, int power);
   bool straighten(TriangleId t);
   [[noreturn]] void refuse(TriangleId t) const;
