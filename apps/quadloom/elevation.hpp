@@ -13,8 +13,7 @@ struct Elevation {
   std::size_t other_z = 0;  // repeated points whose z differs from the first one's, which is kept
 };
 
-/// An added point takes the mean of its parents' z; one that was made from an edge, the value along
-/// that edge at its projection.
+/// Added points as interpolate() has them.
 Elevation carry_elevation(std::span<const double> input_z,
                           std::span<const VertexId> input_to_vertex, std::span<const Point> points,
                           std::span<const SteinerPoint> steiner);

@@ -20,8 +20,9 @@ std::string grouped(std::size_t n) {
   return out;
 }
 
-// "no point added", "1 point added outside", "3,001 points added inside".
-std::string added_points(const std::vector<SteinerPoint>& steiner) {
+}  // namespace
+
+std::string added_points(const std::vector<SteinerPoint>& steiner, const std::string& on_edge) {
   if (steiner.empty()) return "no point added";
   std::array<std::size_t, 3> count = {};
   for (const SteinerPoint& s : steiner) ++count[static_cast<std::size_t>(s.kind)];
@@ -31,12 +32,11 @@ std::string added_points(const std::vector<SteinerPoint>& steiner) {
     const std::size_t n = count[static_cast<std::size_t>(kind)];
     if (n == 0) continue;
     if (!places.empty()) places += ", ";
-    places += (n == steiner.size() ? "" : grouped(n) + " ") + name_of(kind);
+    places += (n == steiner.size() ? "" : grouped(n) + " ") +
+              (kind == SteinerKind::kOnEdge ? on_edge : name_of(kind));
   }
   return fmt::format("{} added {}", counted(steiner.size(), "point"), places);
 }
-
-}  // namespace
 
 std::string counted(std::size_t n, const std::string& singular) {
   return fmt::format("{} {}{}", grouped(n), singular, n == 1 ? "" : "s");
@@ -57,8 +57,8 @@ std::string facts_line(const MadeMesh& made) {
       counted(made.input_vertices, "point"),
       counted(faces, made.quality.other_faces == 0 ? "quad" : "face"),
       c.triangles == 0 ? "no triangle" : counted(c.triangles, "triangle"),
-      added_points(made.steiner), percent(c.strictly_convex, faces), made.quality.min_angle,
-      made.quality.max_angle, made.seconds);
+      added_points(made.steiner, name_of(SteinerKind::kOnEdge)), percent(c.strictly_convex, faces),
+      made.quality.min_angle, made.quality.max_angle, made.seconds);
 }
 
 std::string remarks(const MadeMesh& made, const PointOptions& options) {

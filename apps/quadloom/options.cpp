@@ -16,6 +16,26 @@ const std::map<std::string, PointMethod> kMethods = {{"delaunay", PointMethod::k
 const std::map<std::string, OddBoundary> kOddBoundaries = {{"outside", OddBoundary::kOutside},
                                                            {"on-edge", OddBoundary::kOnEdge},
                                                            {"triangle", OddBoundary::kTriangle}};
+const std::map<std::string, TriangleMethod> kTriangleMethods = {
+    {"pair", TriangleMethod::kPair},       {"percolate", TriangleMethod::kPercolate},
+    {"fans", TriangleMethod::kFans},       {"q-percolate", TriangleMethod::kQPercolate},
+    {"quarter", TriangleMethod::kQuarter}, {"subdivide", TriangleMethod::kSubdivide}};
+const std::map<std::string, Leftover> kLeftovers = {{"error", Leftover::kError},
+                                                    {"triangle", Leftover::kTriangle},
+                                                    {"walk", Leftover::kWalk},
+                                                    {"steiner", Leftover::kSteiner}};
+const std::map<std::string, PairKind> kPairKinds = {
+    {"auto", PairKind::kAuto}, {"convex", PairKind::kConvex}, {"any", PairKind::kAny}};
+const std::map<std::string, MatchingEffort> kEfforts = {{"exact", MatchingEffort::kExact},
+                                                        {"near", MatchingEffort::kNear}};
+const std::map<std::string, InputKind> kInputKinds = {{"auto", InputKind::kAuto},
+                                                      {"points", InputKind::kPoints},
+                                                      {"polygons", InputKind::kPolygons},
+                                                      {"mesh", InputKind::kMesh}};
+const std::map<std::string, Space> kSpaces = {
+    {"auto", Space::kAuto}, {"plane", Space::kPlane}, {"surface", Space::kSurface}};
+const std::map<std::string, FaultyFaces> kFaulty = {{"repair", FaultyFaces::kRepair},
+                                                    {"refuse", FaultyFaces::kRefuse}};
 const std::map<std::string, io::ColourBy> kColours = {{"quality", io::ColourBy::kQuality},
                                                       {"convexity", io::ColourBy::kConvexity},
                                                       {"none", io::ColourBy::kNone}};
@@ -28,12 +48,27 @@ std::string find_name(const std::map<std::string, Enum>& names, Enum value) {
   return "?";
 }
 
+template <typename Enum>
+std::string all_words(const std::map<std::string, Enum>& names) {
+  std::string words;
+  for (const auto& entry : names) words += (words.empty() ? "" : "|") + entry.first;
+  return words;
+}
+
+template <typename Enum>
+Enum find_method(const std::map<std::string, Enum>& names, const std::string& word,
+                 const char* input) {
+  const auto found = names.find(word);
+  if (found != names.end()) return found->second;
+  throw Error(ErrorCode::kBadOption, fmt::format("--method: '{}' is none of {}, which are for {}",
+                                                 word, all_words(names), input));
+}
+
 // An option whose value is one of a few words; the error names them.
 template <typename Enum>
 CLI::Option* add_choice(CLI::App& verb, const std::string& flag, Enum& value,
                         const std::map<std::string, Enum>& names, const std::string& help) {
-  std::string words;
-  for (const auto& entry : names) words += (words.empty() ? "" : "|") + entry.first;
+  const std::string words = all_words(names);
   return verb
       .add_option_function<std::string>(
           flag,
@@ -74,6 +109,26 @@ CLI::Option* add_whole_number(CLI::App& verb, const std::string& flag, std::uint
       ->default_str(std::to_string(initial));
 }
 
+CLI::Option* add_number(CLI::App& verb, const std::string& flag, double& value, double least,
+                        double most, const std::string& help) {
+  return verb
+      .add_option_function<std::string>(
+          flag,
+          [&value, flag, least, most](const std::string& word) {
+            double number = 0;
+            const char* const end = word.data() + word.size();
+            const auto [stop, error] = std::from_chars(word.data(), end, number);
+            if (error != std::errc() || stop != end || !(number >= least && number <= most)) {
+              throw CLI::ValidationError(
+                  flag, fmt::format("'{}' is no number from {} to {}", word, least, most));
+            }
+            value = number;
+          },
+          help)
+      ->type_name("X")
+      ->default_str(fmt::format("{}", value));
+}
+
 void add_input(CLI::App& verb, InputOptions& options) {
   verb.add_option("INPUT", options.path,
                   "Points: .csv, .xyz, .txt, .geojson, .json, or - for standard input")
@@ -84,6 +139,19 @@ void add_input(CLI::App& verb, InputOptions& options) {
                   "Columns of x, y and perhaps z: header names or numbers from 1, as in lon,lat");
 }
 
+void add_any_input(CLI::App& verb, InputOptions& options) {
+  verb.add_option(
+          "INPUT", options.path,
+          "Points: .csv, .xyz, .txt; a mesh: .obj, .off, .ply, .stl, .vtu, .msh, .14, .ele; "
+          "polygons: .poly; points or polygons: .geojson; - for standard input")
+      ->required();
+  verb.add_option("--format", options.reading.format,
+                  "Format of the input if not by the name: csv, xyz, geojson, obj, ...");
+  verb.add_option("--columns", options.reading.columns,
+                  "Points: columns of x, y and perhaps z, header names or numbers from 1, as in "
+                  "lon,lat");
+}
+
 void add_making(CLI::App& verb, PointOptions& options) {
   add_choice(verb, "--odd-boundary", options.odd_boundary, kOddBoundaries,
              "If the hull has an odd number of points: add a point outside, or on a hull edge, or "
@@ -91,10 +159,58 @@ void add_making(CLI::App& verb, PointOptions& options) {
   add_whole(verb, "--seed", options.seed, 0, kNoLimit, "Seed of random choices");
 }
 
-void add_method(CLI::App& verb, PointMethod& method) {
-  add_choice(verb, "--method", method, kMethods,
-             "delaunay: the best shapes; spiral, insertion: Bose and Toussaint's; subdivide: three "
-             "strictly convex quads for every Delaunay triangle");
+void add_kind(CLI::App& verb, InputKind& kind) {
+  add_choice(verb, "--input", kind, kInputKinds,
+             "What the file holds, where its name (or what is in a GeoJSON) should not decide");
+}
+
+void add_conversion(CLI::App& verb, TriangleOptions& o) {
+  const auto in_group = [](CLI::Option* option) { option->group("Meshes and polygons"); };
+  in_group(
+      add_choice(verb, "--leftover", o.leftover, kLeftovers,
+                 "pair: what becomes of triangles that are left over: none may be (error), they "
+                 "stay, walk together, or take inner points"));
+  in_group(add_choice(verb, "--pairs", o.pairs, kPairKinds,
+                      "pair: only strictly convex pairs, or any; auto: convex for walk, else any"));
+  in_group(add_choice(verb, "--matching", o.effort, kEfforts,
+                      "pair: the best matching, or one near it, with its gap in the report"));
+  in_group(add_number(verb, "--min-quality", o.min_quality, 0, 1,
+                      "pair: no pair of a lesser shape is made (1: rectangle)"));
+}
+
+void add_space(CLI::App& verb, Space& space, const std::string& help) {
+  add_choice(verb, "--space", space, kSpaces, help);
+}
+
+void add_connecting(CLI::App& verb, ConnectOptions& o) {
+  constexpr const char* kGroup = "Meshes and polygons";
+  add_choice(
+      verb, "--space", o.space, kSpaces,
+      "What z is: data over the plane, or a surface in space; auto: plane if all faces, seen "
+      "from above, turn the same way")
+      ->group(kGroup);
+  add_choice(verb, "--faulty", o.faulty, kFaulty,
+             "Faces turned over and faces without area: repaired and said, or refused")
+      ->group(kGroup);
+  verb.add_flag_callback(
+          "--merge-vertices", [&o] { o.equal = EqualVertices::kMerge; },
+          "Make vertices at exactly the same place one")
+      ->group(kGroup);
+}
+
+CLI::Option* add_odd_boundary(CLI::App& verb, OddBoundary& odd_boundary) {
+  return add_choice(
+      verb, "--odd-boundary", odd_boundary, kOddBoundaries,
+      "If the hull, or the border of a part, is odd: add a point outside (default for "
+      "points), on an edge (default for meshes), or leave one triangle");
+}
+
+PointMethod point_method(const std::string& word) { return find_method(kMethods, word, "points"); }
+TriangleMethod triangle_method(const std::string& word) {
+  return find_method(kTriangleMethods, word, "meshes and polygons");
+}
+std::string method_words() {
+  return all_words(kMethods) + "; meshes, polygons: " + all_words(kTriangleMethods);
 }
 
 void add_colour(CLI::App& verb, io::ColourBy& colour) {
@@ -102,6 +218,10 @@ void add_colour(CLI::App& verb, io::ColourBy& colour) {
 }
 
 std::string name_of(PointMethod method) { return find_name(kMethods, method); }
+std::string name_of(TriangleMethod method) { return find_name(kTriangleMethods, method); }
+std::string name_of(Leftover leftover) { return find_name(kLeftovers, leftover); }
+std::string name_of(PairKind pairs) { return find_name(kPairKinds, pairs); }
+std::string name_of(MatchingEffort effort) { return find_name(kEfforts, effort); }
 std::string name_of(OddBoundary odd_boundary) { return find_name(kOddBoundaries, odd_boundary); }
 std::string name_of(SteinerKind kind) {
   switch (kind) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "input_kind.hpp"
 #include "quadloom/io.hpp"
 #include "quadloom/quadrangulate.hpp"
 
@@ -19,6 +20,8 @@ struct InputOptions {
   io::ReadPointsOptions reading;
 };
 void add_input(CLI::App& verb, InputOptions& options);
+/// The same for a file of points, a mesh or polygons.
+void add_any_input(CLI::App& verb, InputOptions& options);
 
 /// How a mesh is made: --odd-boundary and --seed.
 void add_making(CLI::App& verb, PointOptions& options);
@@ -34,11 +37,32 @@ CLI::Option* add_whole(CLI::App& verb, const std::string& flag, Integer& value, 
 }
 inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-void add_method(CLI::App& verb, PointMethod& method);
+/// An option that is a number from `least` to `most`; anything else, NaN too, is a usage error.
+CLI::Option* add_number(CLI::App& verb, const std::string& flag, double& value, double least,
+                        double most, const std::string& help);
+
+/// What the input holds: --input.
+void add_kind(CLI::App& verb, InputKind& kind);
+CLI::Option* add_odd_boundary(CLI::App& verb, OddBoundary& odd_boundary);
+/// How meshes and polygons are converted: --leftover, --pairs, --matching, --min-quality.
+void add_conversion(CLI::App& verb, TriangleOptions& options);
+/// How meshes are taken: --space, --faulty, --merge-vertices.
+void add_connecting(CLI::App& verb, ConnectOptions& options);
+void add_space(CLI::App& verb, Space& space, const std::string& help);
+
+/// The method of that name for the kind of input. Throws Error kBadOption, which lists those there are.
+PointMethod point_method(const std::string& word);
+TriangleMethod triangle_method(const std::string& word);
+std::string method_words();
+
 void add_colour(CLI::App& verb, io::ColourBy& colour);
 
 /// The name of an enum's value as it is written on the command line.
 std::string name_of(PointMethod method);
+std::string name_of(TriangleMethod method);
+std::string name_of(Leftover leftover);
+std::string name_of(PairKind pairs);
+std::string name_of(MatchingEffort effort);
 std::string name_of(OddBoundary odd_boundary);
 std::string name_of(SteinerKind kind);
 

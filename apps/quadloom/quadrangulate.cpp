@@ -1,14 +1,11 @@
-// quadloom quadrangulate: points in, a certified mesh out.
+// quadloom quadrangulate: points, a mesh or polygons in, a certified mesh out. The verb, its options,
+// and which half does the work.
+#include "quadrangulate.hpp"
+
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
-#include "exit_codes.hpp"
-#include "facts.hpp"
-#include "options.hpp"
-#include "progress_bar.hpp"
-#include "report.hpp"
 #include "timer.hpp"
 #include "verbs.hpp"
 
@@ -17,110 +14,157 @@ namespace {
 
 struct QuadrangulateOptions {
   InputOptions input;
-  PointOptions making;
-  std::size_t k = 4;
-  std::string output, output_format, picture, report;
-  bool quiet = false;
+  InputKind kind = InputKind::kAuto;
+  std::string method;  // empty: the default of the kind of input
+  OddBoundary odd_boundary = OddBoundary::kOutside;
+  std::vector<std::string> given;  // the options on the command line
+  double keep_angle = 0;
+  PointRun points;
+  MeshRun mesh;
+  OutputOptions output;
+
+  bool has(const std::string& option) const {
+    return std::find(given.begin(), given.end(), option) != given.end();
+  }
 };
 
-void check_outputs(const QuadrangulateOptions& o) {
-  require_mesh(o.output, o.output_format);
-  require_picture(o.picture);
-  require_writable(o.report);
+// Options that the input or the method has no use for are refused: they would be ignored.
+void refuse(const QuadrangulateOptions& o, std::initializer_list<const char*> options,
+            const std::string& why) {
+  for (const char* option : options) {
+    if (o.has(option)) throw Error(ErrorCode::kBadOption, fmt::format("{}: {}", option, why));
+  }
 }
 
-MadeMesh make(const io::PointTable& table, const QuadrangulateOptions& o) {
-  ProgressBar bar;
-  PointOptions options = o.making;
-  options.progress = bar.callback();
-  return make_mesh(table, options, o.k);
+PointRun point_run(const QuadrangulateOptions& o) {
+  refuse(o,
+         {"--leftover", "--pairs", "--weight", "--matching", "--min-quality", "--regions",
+          "--keep-angle", "--keep", "--space", "--faulty", "--merge-vertices"},
+         "is for meshes and polygons, not for points");
+  PointRun run = o.points;
+  if (o.has("--method")) run.making.method = point_method(o.method);
+  if (o.has("--odd-boundary")) run.making.odd_boundary = o.odd_boundary;
+  if (run.k == 4) return run;
+  if (o.has("--method") && run.making.method != PointMethod::kSpiral) {
+    throw Error(ErrorCode::kBadOption,
+                "--k: faces of more than 4 corners are made by the spiral only");
+  }
+  refuse(o, {"--odd-boundary"}, "is for faces of 4 corners");
+  return run;
 }
 
-void write_picture(const MadeMesh& made, const QuadrangulateOptions& o) {
-  if (o.picture.empty()) return;
-  io::DrawOptions options;
-  options.title =
-      fmt::format("{}: {}, {}", short_name(o.input.path), counted(made.input_vertices, "point"),
-                  o.k == 4 ? name_of(o.making.method) : fmt::format("{}-gons", o.k));
-  options.steiner = steiner_vertices(made);
-  io::draw_mesh(o.picture, made.file, options);
+MeshRun mesh_run(const QuadrangulateOptions& o, InputKind kind) {
+  refuse(o, {"--k", "--columns", "--seed"}, "is for points, not for meshes and polygons");
+  MeshRun run = o.mesh;
+  if (o.has("--method")) run.conversion.triangles.method = triangle_method(o.method);
+  if (o.has("--odd-boundary")) run.conversion.triangles.odd_boundary = o.odd_boundary;
+  if (run.conversion.triangles.method != TriangleMethod::kPair) {
+    refuse(o, {"--leftover", "--pairs", "--weight", "--matching", "--min-quality"},
+           "is for --method pair");
+  }
+  if (kind == InputKind::kPolygons) {
+    refuse(o, {"--space", "--faulty", "--merge-vertices"}, "is for meshes, not for polygons");
+  }
+  if (o.has("--keep-angle")) run.reading.keep_angle = o.keep_angle;
+  run.reading.path = o.input.path;
+  run.reading.format = o.input.reading.format;
+  return run;
 }
 
-void write_report(const MadeMesh& made, const QuadrangulateOptions& o, double read_seconds) {
-  if (o.report.empty()) return;
-  Json json = report_head("quadrangulate", o.input.path, made.input_points);
-  json["output"] = o.output;
-  json["mesh"] = mesh_json(made, o.making, o.k);
-  json["mesh"]["seconds"]["read"] = read_seconds;
-  io::write_text(o.report, json.dump(2) + "\n");
-}
-
-void tell(const MadeMesh& made, const QuadrangulateOptions& o) {
-  if (o.quiet && made.certificate.ok()) return;
-  std::FILE* to = o.output == "-" || o.report == "-" || !made.certificate.ok() ? stderr : stdout;
-  fmt::print(to, "{}\n{}{}\n", facts_line(made), remarks(made, o.making),
-             verdict_line(made.certificate, true));
-}
-
-// The mesh is sound and written, but has more added points than the bound: said, and not a success.
-int tell_bound(const MadeMesh& made, const QuadrangulateOptions& o) {
-  if (!beyond_bound(made, o.k)) return kDone;
-  fmt::print(stderr, "quadloom: {} added, where the bound for {}-gons is {}\n",
-             counted(made.steiner.size(), "point"), o.k, o.k - 3);
-  return kGuaranteeMissed;
+// GeoJSON that was read to find out what it holds, and point clouds in mesh files, need no reader of
+// points.
+io::PointTable read_point_table(const QuadrangulateOptions& o, FoundInput found) {
+  if (!found.planar) return io::read_points(o.input.path, o.input.reading);
+  io::PointTable table;
+  table.points = std::move(found.planar->input.points);
+  table.z = std::move(found.planar->z);
+  return table;
 }
 
 int quadrangulate(const QuadrangulateOptions& o) {
-  check_outputs(o);
+  require_mesh(o.output.mesh, o.output.mesh_format);
+  require_picture(o.output.picture);
+  require_writable(o.output.report);
   const Timer reading;
-  const io::PointTable table = io::read_points(o.input.path, o.input.reading);
-  const double read_seconds = reading.seconds();
-  const MadeMesh made = make(table, o);
-  if (!made.certificate.ok()) {  // nothing is written that the check refuses
-    tell(made, o);
-    return kCheckFailed;
+  FoundInput found = find_input(o.input.path, o.input.reading.format, o.kind);
+  if (found.kind != InputKind::kPoints) {
+    const InputKind kind = found.kind;
+    return quadrangulate_mesh_file(std::move(found), mesh_run(o, kind), o.output);
   }
-  io::write_mesh(o.output, made.file, o.output_format);
-  write_picture(made, o);
-  write_report(made, o, read_seconds);
-  tell(made, o);
-  return tell_bound(made, o);
+  const PointRun run = point_run(o);
+  const io::PointTable table = read_point_table(o, std::move(found));
+  return quadrangulate_point_file(o.input.path, table, reading.seconds(), run, o.output);
 }
+
+void add_mesh_options(CLI::App& verb, QuadrangulateOptions& o) {
+  constexpr const char* kGroup = "Meshes and polygons";
+  add_conversion(verb, o.mesh.conversion.triangles);
+  const auto word = [&](const char* flag, std::string& value, const char* type, const char* help) {
+    verb.add_option(flag, value, help)->type_name(type)->capture_default_str()->group(kGroup);
+  };
+  word("--weight", o.mesh.conversion.weight, "shape|convexity|NAME",
+       "pair: what the pairs have most of; NAME: numbers of the vertices, an edge goes the sooner "
+       "the "
+       "greater their mean is at its ends");
+  word("--regions", o.mesh.reading.regions, "auto|none|NAME",
+       "Numbers of the faces that quads never mix; auto: region, physical, material, part, or the "
+       "parts of polygons");
+  word("--keep", o.mesh.reading.keep, "lines|none|FILE",
+       "Edges that stay: the lines in the file of the mesh, or those of another file (.geojson, "
+       ".poly) along edges of the mesh");
+  add_number(verb, "--keep-angle", o.keep_angle, 0, 180,
+             "Surfaces: keep edges where the faces turn by more degrees than this")
+      ->default_str("")
+      ->group(kGroup);
+  add_connecting(verb, o.mesh.reading.connect);
+}
+
+constexpr const char* kFooter =
+    "\nThe given points are kept bit for bit and come first. Of points, the number of those on "
+    "the\n"
+    "hull decides: if it is even no point is added, if it is odd one point or one triangle.\n"
+    "Triangles of a mesh or of polygons are paired, those left over walk together; a part with an\n"
+    "odd number of border edges takes one point or keeps one triangle.\n"
+    "\n"
+    "  quadloom quadrangulate towns.csv -o towns.vtu --picture towns.png\n"
+    "  quadloom quadrangulate sites.csv --columns lon,lat,height -o sites.obj\n"
+    "  quadloom quadrangulate points.xyz -o mesh.msh --odd-boundary triangle --report "
+    "facts.json\n"
+    "  quadloom quadrangulate coast.14 -o coast.vtu --report facts.json\n"
+    "  quadloom quadrangulate lake.geojson -o lake.msh --method q-percolate\n"
+    "  cat points.xyz | quadloom quadrangulate - -o - --output-format off > mesh.off";
 
 }  // namespace
 
 void add_quadrangulate(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand(
-      "quadrangulate", "Points to a mesh of quadrilaterals, with at most one point added");
-  verb->footer(
-      "\nThe given points are kept bit for bit and come first. The number of points on the hull\n"
-      "decides: if it is even no point is added, if it is odd one point or one triangle.\n"
-      "\n"
-      "  quadloom quadrangulate towns.csv -o towns.vtu --picture towns.png\n"
-      "  quadloom quadrangulate sites.csv --columns lon,lat,height -o sites.obj\n"
-      "  quadloom quadrangulate points.xyz -o mesh.msh --odd-boundary triangle --report "
-      "facts.json\n"
-      "  cat points.xyz | quadloom quadrangulate - -o - --output-format off > mesh.off");
+      "quadrangulate", "Points, a mesh of triangles or polygons to a mesh of quadrilaterals");
+  verb->footer(kFooter);
   const auto o = std::make_shared<QuadrangulateOptions>();
-  add_input(*verb, o->input);
-  verb->add_option("-o,--output", o->output,
+  add_any_input(*verb, o->input);
+  add_kind(*verb, o->kind);
+  verb->add_option("-o,--output", o->output.mesh,
                    "Mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or - for standard output")
       ->required();
-  verb->add_option("--output-format", o->output_format,
+  verb->add_option("--output-format", o->output.mesh_format,
                    "Format of the mesh if not by the name; msh22 is version 2.2 of msh");
-  add_method(*verb, o->making.method);
-  add_making(*verb, o->making);
-  add_whole(*verb, "--k", o->k, 4, 1 << 20,
-            "Corners of each face; above 4 the method is the spiral");
-  verb->add_option("--picture", o->picture, "Also draw the mesh: .svg, .png or .pdf");
-  verb->add_option("--report", o->report, "Also write all figures as JSON; - for standard output");
-  verb->add_flag("--quiet", o->quiet, "Print nothing but errors");
+  verb->add_option("--method", o->method,
+                   "Points: delaunay (the best shapes), spiral, insertion (Bose and Toussaint's), "
+                   "subdivide (all strictly convex); meshes and polygons: pair, percolate, fans, "
+                   "q-percolate, quarter, subdivide")
+      ->type_name(method_words());
+  add_odd_boundary(*verb, o->odd_boundary)->default_str("");
+  add_whole(*verb, "--seed", o->points.making.seed, 0, kNoLimit, "Points: seed of random choices");
+  add_whole(*verb, "--k", o->points.k, 4, 1 << 20,
+            "Points: corners of each face; above 4 the method is the spiral");
+  verb->add_option("--picture", o->output.picture, "Also draw the mesh: .svg, .png or .pdf");
+  verb->add_option("--report", o->output.report,
+                   "Also write all figures as JSON; - for standard output");
+  verb->add_flag("--quiet", o->output.quiet, "Print nothing but errors");
+  add_mesh_options(*verb, *o);
   verb->callback([o, verb, &run] {
-    if (o->k > 4 && verb->count("--method") > 0 && o->making.method != PointMethod::kSpiral) {
-      throw CLI::ValidationError("--k", "faces of more than 4 corners are made by the spiral only");
-    }
-    if (o->k > 4 && verb->count("--odd-boundary") > 0) {
-      throw CLI::ValidationError("--odd-boundary", "is for faces of 4 corners");
+    for (const CLI::Option* option : verb->get_options()) {
+      if (option->count() > 0) o->given.push_back(option->get_name());
     }
     run = [o] { return quadrangulate(*o); };
   });

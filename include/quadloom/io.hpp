@@ -55,7 +55,7 @@ struct MeshFile {
 /// without the dot, "msh22" (.msh is 4.1) or "vtu-ascii" (.vtu has base64). Coordinates read back
 /// bit for bit (-0.0 as 0). Written to a temporary name beside the target, then renamed; "-" is
 /// standard output (needs `format`). What a format cannot hold is left out: vertex data in .obj,
-/// .off and .geojson, face data in .obj and .off, edges in all but .msh, unused vertices in .geojson. Throws
+/// .off, .msh and .geojson, face data in .obj, .off and .msh, unused vertices in .geojson. Throws
 /// Error kFile; kBadOption (unknown format, faces that .msh cannot hold); kIndexOutOfRange,
 /// kNotFinite, kBadMesh for a mesh that no file should hold.
 void write_mesh(const std::string& path, const MeshFile& mesh, const std::string& format = {});
@@ -105,15 +105,17 @@ struct Polyline {
 void write_polylines(const std::string& path, std::span<const Polyline> lines,
                      const std::string& name);
 
-enum class ColourBy { kQuality, kConvexity, kNone };
+enum class ColourBy { kQuality, kConvexity, kNone, kGroup };
 
 struct DrawOptions {
   int width = 1600;  // pixels (points in SVG and PDF); the height follows from the aspect ratio
   ColourBy colour =
       ColourBy::kQuality;  // shape of each quad; convexity: strictly convex, flat, non-convex
-  std::string title;       // one line above the picture
-  std::vector<VertexId> steiner;  // marked with a ring
-  std::vector<Polyline> overlay;  // drawn over the mesh, e.g. a spiral
+  std::vector<std::uint8_t> group;       // kGroup: of each face, 0 (plain), 1 (strong), 2, 3
+  std::vector<std::string> group_names;  // kGroup: for the legend
+  std::string title;                     // one line above the picture
+  std::vector<VertexId> steiner;         // marked with a ring
+  std::vector<Polyline> overlay;         // drawn over the mesh, e.g. a spiral
 };
 
 /// A picture by extension: .svg .png .pdf. Line width and point marks adapt to the number of faces;

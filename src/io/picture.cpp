@@ -48,6 +48,7 @@ Layout lay_out(const Panel& panel) {
            0,
            0,
            0};
+  if (options.colour == ColourBy::kGroup) add_groups(l.figures, options.group);
   l.font = std::clamp(l.width / 72, 9.0, 44.0);
   l.margin = 2 * l.font;
   l.title_height = options.title.empty() ? 0 : 2.2 * l.font;
@@ -131,6 +132,14 @@ void paint_legend(const Canvas& canvas, const Layout& l, double x, double baseli
     entry(FaceKind::kStrictlyConvex, kConvexFill, "strictly convex");
     entry(FaceKind::kFlatCornered, kFlatFill, "flat corner");
     entry(FaceKind::kNonConvex, kNonConvexFill, "not convex");
+  }
+  if (l.options->colour == ColourBy::kGroup) {
+    for (std::size_t g = 0; g < std::min(kMostGroups, l.options->group_names.size()); ++g) {
+      if (l.figures.group_count[g] == 0) continue;
+      legend.swatch(group_colour(g),
+                    with_count(l.options->group_names[g], l.figures.group_count[g]));
+    }
+    return;
   }
   if (l.options->colour != ColourBy::kNone && count(FaceKind::kTriangle) > 0) {
     legend.swatch(kTriangleFill, with_count("triangles", count(FaceKind::kTriangle)));

@@ -67,4 +67,18 @@ FaceFigures measure_faces(const PolygonMesh& mesh, ColourBy colour) {
   return figures;
 }
 
+void add_groups(FaceFigures& figures, std::span<const std::uint8_t> group) {
+  if (group.size() != figures.kind.size()) {
+    throw Error(ErrorCode::kBadOption, std::to_string(group.size()) + " groups for " +
+                                           std::to_string(figures.kind.size()) + " faces");
+  }
+  for (const std::uint8_t g : group) {
+    if (g >= kMostGroups) {
+      throw Error(ErrorCode::kBadOption, "a picture has no group " + std::to_string(g));
+    }
+    ++figures.group_count[g];
+  }
+  figures.group.assign(group.begin(), group.end());
+}
+
 }  // namespace quadloom::io

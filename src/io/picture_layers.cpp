@@ -48,9 +48,11 @@ void trace_face(cairo_t* cr, const PlacedMesh& placed, std::size_t f) {
   cairo_close_path(cr);
 }
 
-// A face's colour as a number: the four kinds first, then the shades of the ramp.
+// A face's colour as a number: the four kinds first, then the shades of the ramp; or
+// the groups.
 std::size_t paint_number(const FaceFigures& figures, std::size_t f, ColourBy colour) {
   const auto kind = static_cast<std::size_t>(figures.kind[f]);
+  if (colour == ColourBy::kGroup) return figures.group[f];
   if (colour != ColourBy::kQuality || figures.kind[f] == FaceKind::kTriangle) return kind;
   const float shape = figures.shape[f];  // may be NaN where coordinates overflow
   if (!(shape > 0)) return 4;
@@ -59,6 +61,7 @@ std::size_t paint_number(const FaceFigures& figures, std::size_t f, ColourBy col
 
 Colour paint_colour(std::size_t number, ColourBy colour) {
   constexpr std::array<Colour, 4> kKinds = {kTriangleFill, kConvexFill, kFlatFill, kNonConvexFill};
+  if (colour == ColourBy::kGroup) return group_colour(number);
   if (number >= 4) return ramp_colour((static_cast<double>(number - 4) + 0.5) / kShades);
   return colour == ColourBy::kNone ? kPlainFill : kKinds[number];
 }
@@ -149,6 +152,12 @@ void paint_along(const Canvas& canvas, const Frame& frame, const PageRect& page,
 }
 
 }  // namespace
+
+Colour group_colour(std::size_t group) {
+  constexpr std::array<Colour, kMostGroups> kGroups = {kPlainFill, kNonConvexFill, kFlatFill,
+                                                       kConvexFill};
+  return kGroups[group];
+}
 
 PlacedMesh place_mesh(const PolygonMesh& mesh, const Frame& frame, const PageRect& page) {
   PlacedMesh placed;

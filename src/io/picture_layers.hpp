@@ -18,6 +18,9 @@ struct PlacedMesh {
 };
 PlacedMesh place_mesh(const PolygonMesh& mesh, const Frame& frame, const PageRect& page);
 
+/// The colour of a group of faces, below kMostGroups.
+Colour group_colour(std::size_t group);
+
 void paint_faces(const Canvas& canvas, const PlacedMesh& placed, const FaceFigures& figures,
                  ColourBy colour);
 

@@ -1,0 +1,42 @@
+#include "input_kind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+namespace quadloom::app {
+namespace {
+
+constexpr std::array<std::string_view, 11> kMeshes = {
+    "obj", "off", "ply", "stl", "vtu", "vtu-ascii", "msh", "msh22", "14", "gr3", "ele"};
+
+std::string lower_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
+}
+
+std::string ending_of(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return ending.empty() ? ending : lower_case(ending.substr(1));
+}
+
+}  // namespace
+
+FoundInput find_input(const std::string& path, const std::string& format, InputKind asked) {
+  if (asked != InputKind::kAuto) return {asked, {}};
+  const std::string name = format.empty() ? ending_of(path) : format;
+  if (std::find(kMeshes.begin(), kMeshes.end(), name) != kMeshes.end()) {
+    return {InputKind::kMesh, {}};
+  }
+  if (name == "poly") return {InputKind::kPolygons, {}};
+  // Standard input can be read only once; the readers of points do that.
+  if (path == "-" || (name != "geojson" && name != "json")) return {InputKind::kPoints, {}};
+  io::PlanarFile planar = io::read_planar(path, name);
+  const bool points = planar.input.polygons.empty() && planar.input.segments.empty();
+  return {points ? InputKind::kPoints : InputKind::kPolygons, std::move(planar)};
+}
+
+}  // namespace quadloom::app
