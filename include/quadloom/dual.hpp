@@ -72,8 +72,12 @@ bool verify_tutte_berge(const DualGraph& graph, const MaximumMatching& result);
 // ---- Matchings with weights. Weights are integers by halfedge, the same on both sides. ----
 
 /// The weight of a pair of triangles by shape: 1 + 65,535 x quad_shape of their quad, rounded down,
-/// if it is strictly convex (exactly), else 0. The same integers on every platform.
-std::vector<std::int32_t> shape_weights(const Triangulation& mesh);
+/// if it is strictly convex (exactly), else 0. With z, one a vertex, the mesh is a surface in space:
+/// the shape is that of the angles in space, and a pair weighs 0 if it is not strictly convex in the
+/// coordinate plane that it is nearest to, or folded by more than 90 degrees. The same integers on
+/// every platform. Throws Error kBadOption if the size of z is wrong.
+std::vector<std::int32_t> shape_weights(const Triangulation& mesh, std::span<const double> z = {});
+std::vector<std::int32_t> shape_weights(const TriangleMesh& mesh);
 
 /// The graph without the edges that weigh less than `least`: with shape weights and 1, the pairs
 /// that are strictly convex.

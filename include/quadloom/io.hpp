@@ -55,7 +55,7 @@ struct MeshFile {
 /// without the dot, "msh22" (.msh is 4.1) or "vtu-ascii" (.vtu has base64). Coordinates read back
 /// bit for bit (-0.0 as 0). Written to a temporary name beside the target, then renamed; "-" is
 /// standard output (needs `format`). What a format cannot hold is left out: vertex data in .obj,
-/// .off, .msh and .geojson, face data in .obj, .off and .msh, unused vertices in .geojson. Throws
+/// .off and .geojson, face data in .obj and .off, edges in all but .msh, unused vertices in .geojson. Throws
 /// Error kFile; kBadOption (unknown format, faces that .msh cannot hold); kIndexOutOfRange,
 /// kNotFinite, kBadMesh for a mesh that no file should hold.
 void write_mesh(const std::string& path, const MeshFile& mesh, const std::string& format = {});

@@ -185,7 +185,8 @@ struct TriangleResult {
 /// Steiner points add to it), no face reaches over an edge to keep or from one region into another.
 ///
 /// The boundary stays as it is but for outer Steiner points and, where a part has an odd number of
-/// border edges, what `odd_boundary` says: no mesh of quads alone has an odd border. kPercolate,
+/// border edges, what `odd_boundary` says: no mesh of quads alone has an odd border. kSubdivide: every
+/// edge gets one point, on the boundary exactly on it or just outside; all quads are strictly convex. kPercolate,
 /// kFans: planar meshes; kFans: each component a polygon without holes and inner vertices.
 ///
 /// Throws Error kBadMesh (twins, sizes or given pairs that do not agree; a mesh that the method is

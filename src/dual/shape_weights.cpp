@@ -4,6 +4,7 @@
 // squareness gives. The arc cosine is a polynomial (Abramowitz and Stegun 4.4.46, error 2e-8), since
 // that of the standard library may differ from platform to platform.
 #include <cmath>
+#include <string>
 
 #include "dual/pair_shape.hpp"
 #include "quadloom/dual.hpp"
@@ -24,17 +25,27 @@ double arc_cosine(double x) {
 
 }  // namespace
 
-std::vector<std::int32_t> shape_weights(const Triangulation& mesh) {
+std::vector<std::int32_t> shape_weights(const Triangulation& mesh, std::span<const double> z) {
+  if (!z.empty() && z.size() != mesh.points.size()) {
+    throw Error(ErrorCode::kBadOption, std::to_string(z.size()) + " heights for " +
+                                           std::to_string(mesh.points.size()) + " vertices");
+  }
+  const kernel::Places places{mesh.points, z};
   std::vector<std::int32_t> weight(mesh.twin.size());
   for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
     if (mesh.twin[h] == kNone || mesh.twin[h] < h) continue;
-    const double squareness = dual::pair_squareness(mesh, h);
+    const double squareness =
+        z.empty() ? dual::pair_squareness(mesh, h) : dual::pair_squareness(mesh, places, h);
     if (squareness < 0) continue;
     const double shape = kTwoOverPi * arc_cosine(1 - squareness);
     weight[h] = 1 + static_cast<std::int32_t>(shape * 65535);
     weight[mesh.twin[h]] = weight[h];
   }
   return weight;
+}
+
+std::vector<std::int32_t> shape_weights(const TriangleMesh& mesh) {
+  return shape_weights(mesh.mesh, mesh.z);
 }
 
 }  // namespace quadloom

@@ -1,287 +1,288 @@
-// Gmsh's .msh as text, versions 4.1 and 2.2: sections $Name ... $EndName. Read are the nodes (any
-// numbers as tags) and the elements that are triangles (type 2) or quadrilaterals (type 3); points
-// and lines are skipped, and so are other sections.
+// Gmsh's .msh, versions 4.1 and 2.2, text and binary of both byte orders: sections $Name ... $EndName.
+// Read are the nodes (any numbers as tags); the elements that are triangles, quadrilaterals or lines,
+// those of second order by their corners; the first physical group and the entity of each face as the
+// face data "physical" and "entity"; and the scalars of $NodeData and $ElementData. Points and other
+// sections are skipped. In a binary file the numbers are as in the text, as 32-bit integers, doubles
+// and (4.1) sizes; only version 2.2 orders its elements otherwise.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <unordered_map>
 
 #include "io/mesh_builder.hpp"
 #include "io/mesh_formats.hpp"
-#include "io/text.hpp"
+#include "io/msh_data.hpp"
+#include "io/msh_tokens.hpp"
+#include "io/numbers.hpp"
 
 namespace quadloom::io {
 namespace {
 
-constexpr std::uint64_t kLine = 1, kTriangle = 2, kQuad = 3, kPoint = 15;
-
-// ---- Reading. ----
+/// A type of elements: how many nodes it has, and how many corners, which come first.
+struct ElementType {
+  std::uint64_t number;
+  std::size_t nodes;
+  std::size_t corners;
+};
+constexpr std::array kTypes = {
+    ElementType{1, 2, 2}, ElementType{2, 3, 3}, ElementType{3, 4, 4},  ElementType{15, 1, 1},
+    ElementType{8, 3, 2}, ElementType{9, 6, 3}, ElementType{16, 8, 4}, ElementType{10, 9, 4},
+};
 
 class MshReader {
  public:
-  explicit MshReader(const Source& source) : source_(source), words_(source), mesh_(source) {}
+  explicit MshReader(const Source& source) : source_(source), tokens_(source), mesh_(source) {}
 
   MeshFile read() {
-    if (words_.next() != "$MeshFormat") words_.fail("the file does not begin with $MeshFormat");
+    if (tokens_.word() != "$MeshFormat") tokens_.fail("the file does not begin with $MeshFormat");
     read_format();
-    for (auto word = words_.next(); !word.empty(); word = words_.next()) {
-      if (!word.starts_with('$')) {
-        words_.fail(fmt::format("{} where a section should begin", in_quotes(word)));
-      }
-      if (word == "$Nodes") {
-        new_format_ ? read_nodes41() : read_nodes22();
-        sort_tags();
-      } else if (word == "$Elements") {
-        new_format_ ? read_elements41() : read_elements22();
-      } else {
-        skip_section(word);
-      }
-    }
+    for (auto word = tokens_.word(); !word.empty(); word = tokens_.word()) read_section(word);
     if (mesh_.vertex_count() == 0) fail_in(source_, "no nodes");
-    return mesh_.finish();
+    MeshFile out = mesh_.finish();
+    add_labels(out);
+    add_msh_data(vertex_data_, out.mesh.points.size(), out.vertex_data);
+    add_msh_data(face_data_, out.mesh.face_count(), out.face_data);
+    return out;
   }
 
  private:
+  void read_section(std::string_view word) {
+    if (!word.starts_with('$')) {
+      tokens_.fail(fmt::format("{} where a section should begin", in_quotes(word)));
+    }
+    if (word == "$Entities" && new_format_) {
+      read_entities();
+    } else if (word == "$Nodes") {
+      new_format_ ? read_nodes41() : read_nodes22();
+      tokens_.expect("$EndNodes");
+      if (const auto twice = nodes_.sort()) {
+        tokens_.fail(fmt::format("node {} is there twice", *twice));
+      }
+    } else if (word == "$Elements") {
+      if (new_format_) {
+        read_elements41();
+      } else {
+        tokens_.binary() ? read_binary_elements22() : read_elements22();
+      }
+      tokens_.expect("$EndElements");
+      faces_.sort();
+    } else if (word == "$NodeData") {
+      read_msh_data(tokens_, nodes_, vertex_data_);
+      tokens_.expect("$EndNodeData");
+    } else if (word == "$ElementData") {
+      read_msh_data(tokens_, faces_, face_data_);
+      tokens_.expect("$EndElementData");
+    } else {
+      tokens_.skip_section(word);
+    }
+  }
+
   void read_format() {
-    const auto version = words_.require("the version");
+    const auto version = tokens_.require("the version");
     if (version != "4.1" && version != "2.2") {
-      words_.fail(
+      tokens_.fail(
           fmt::format("version {} of .msh cannot be read, only 4.1 and 2.2", in_quotes(version)));
     }
     new_format_ = version == "4.1";
-    if (words_.require("the file type") != "0")
-      words_.fail("a binary .msh cannot be read, only text");
-    words_.require("the size of numbers");
-    end_section("$EndMeshFormat");
-  }
-
-  void end_section(std::string_view name) {
-    const auto word = words_.require(name);
-    if (word != name) words_.fail(fmt::format("{}, expected {}", in_quotes(word), name));
-  }
-
-  void skip_section(std::string_view name) {
-    const std::string end = "$End" + std::string(name.substr(1));
-    while (words_.require(end) != end) {
+    const auto type = tokens_.text_count("the file type");
+    if (type > 1) tokens_.fail(fmt::format("file type {}, there are 0 and 1", type));
+    const auto size = tokens_.text_count("the size of numbers");
+    if (type == 1) {
+      if (size != 8 && (size != 4 || !new_format_)) {
+        tokens_.fail(fmt::format("numbers of {} bytes cannot be read", size));
+      }
+      tokens_.set_binary(false, size);
+      tokens_.end_text();
+      tokens_.set_binary(tokens_.swapped_one(), size);
     }
+    tokens_.expect("$EndMeshFormat");
   }
+
+  // ---- Entities: the first physical group of each surface. ----
+
+  void read_entities() {
+    tokens_.end_text();
+    std::array<std::uint64_t, 4> count{};
+    for (auto& n : count) n = tokens_.size("a count of entities");
+    for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+      for (std::uint64_t i = 0; i < count[dimension]; ++i) read_entity(dimension);
+    }
+    tokens_.expect("$EndEntities");
+  }
+
+  void read_entity(std::size_t dimension) {
+    const auto tag = tokens_.integer("an entity's tag");
+    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) tokens_.number("a bound");
+    const auto groups = tokens_.size("a count of physical groups");
+    for (std::uint64_t i = 0; i < groups; ++i) {
+      const auto group = tokens_.integer("a physical group");
+      if (i == 0 && dimension == 2) physical_of_[tag] = static_cast<double>(group);
+    }
+    if (dimension == 0) return;
+    const auto borders = tokens_.size("a count of bounding entities");
+    for (std::uint64_t i = 0; i < borders; ++i) tokens_.integer("a bounding entity");
+  }
+
+  // ---- Nodes. ----
 
   void add_node(std::uint64_t tag) {
-    const double x = words_.finite("x"), y = words_.finite("y"), z = words_.finite("z");
-    tags_.push_back({tag, static_cast<VertexId>(mesh_.vertex_count())});
+    const double x = tokens_.finite("x"), y = tokens_.finite("y"), z = tokens_.finite("z");
+    nodes_.add(tag);
     mesh_.add_vertex(x, y, z);
   }
 
   void read_nodes22() {
-    const auto count = words_.index("the count of nodes");
+    const auto count = tokens_.text_count("the count of nodes");
+    tokens_.end_text();
     mesh_.reserve(count, 0);
-    for (std::uint64_t i = 0; i < count; ++i) add_node(words_.index("a node's number"));
-    end_section("$EndNodes");
+    for (std::uint64_t i = 0; i < count; ++i) add_node(tokens_.index("a node's number"));
   }
 
   void read_nodes41() {
-    const auto blocks = words_.index("the count of blocks");
-    mesh_.reserve(words_.index("the count of nodes"), 0);
-    words_.index("the least tag");
-    words_.index("the greatest tag");
+    tokens_.end_text();
+    const auto blocks = tokens_.size("the count of blocks");
+    mesh_.reserve(tokens_.size("the count of nodes"), 0);
+    tokens_.size("the least tag");
+    tokens_.size("the greatest tag");
     std::vector<std::uint64_t> tags;
     for (std::uint64_t b = 0; b < blocks; ++b) {
-      const auto dimension = words_.index("a dimension");
-      words_.number("an entity");
-      const bool parametric = words_.index("0 or 1 for parametric") != 0;
-      const auto count = words_.index("the count of nodes");
+      const auto dimension = tokens_.index("a dimension");
+      tokens_.integer("an entity");
+      const bool parametric = tokens_.index("0 or 1 for parametric") != 0;
+      const auto count = tokens_.size("the count of nodes");
       tags.clear();
-      for (std::uint64_t i = 0; i < count; ++i) tags.push_back(words_.index("a node's tag"));
+      for (std::uint64_t i = 0; i < count; ++i) tags.push_back(tokens_.size("a node's tag"));
       for (const auto tag : tags) {
         add_node(tag);
         for (std::uint64_t i = 0; parametric && i < std::min<std::uint64_t>(dimension, 3); ++i) {
-          words_.number("a parameter");
+          tokens_.number("a parameter");
         }
       }
     }
-    end_section("$EndNodes");
   }
 
-  void sort_tags() {
-    std::ranges::sort(tags_, {}, &Tag::number);
-    const auto same = [](const Tag& a, const Tag& b) { return a.number == b.number; };
-    const auto twice = std::ranges::adjacent_find(tags_, same);
-    if (twice != tags_.end()) words_.fail(fmt::format("node {} is there twice", twice->number));
+  std::uint64_t vertex_of(std::uint64_t tag) const {
+    if (const auto vertex = nodes_.find(tag)) return *vertex;
+    const std::string place = tokens_.line() == 0 ? "" : fmt::format(", line {}", tokens_.line());
+    throw Error(
+        ErrorCode::kIndexOutOfRange,
+        fmt::format("{}{}: element names node {}, which is not there", source_.name, place, tag),
+        {mesh_.face_count(), static_cast<std::size_t>(tag)});
   }
 
-  VertexId vertex_of(std::uint64_t tag) {
-    if (tag - 1 < tags_.size() && tags_[tag - 1].number == tag) return tags_[tag - 1].vertex;
-    const auto at = std::ranges::lower_bound(tags_, tag, {}, &Tag::number);
-    if (at != tags_.end() && at->number == tag) return at->vertex;
-    throw Error(ErrorCode::kIndexOutOfRange,
-                fmt::format("{}, line {}: element names node {}, which is not there", source_.name,
-                            words_.line(), tag),
-                {mesh_.face_count(), static_cast<std::size_t>(tag)});
+  // ---- Elements. ----
+
+  const ElementType& element_type(std::uint64_t number) const {
+    const auto at = std::ranges::find(kTypes, number, &ElementType::number);
+    if (at != kTypes.end()) return *at;
+    tokens_.fail(
+        fmt::format("elements of type {} cannot be read, only points, lines, triangles and quads "
+                    "(15, 1, 8, 2, 9, 3, 16 and 10)",
+                    number));
   }
 
-  void read_corners(std::uint64_t type) {
+  template <class ReadNode>
+  void read_element(const ElementType& type, std::uint64_t number, double physical, double entity,
+                    ReadNode read_node) {
     corners_.clear();
-    const std::size_t count = corner_count(type);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto tag = words_.index("a node's tag");
-      if (type == kTriangle || type == kQuad) corners_.push_back(vertex_of(tag));
+    for (std::size_t i = 0; i < type.nodes; ++i) {
+      const std::uint64_t tag = read_node();
+      if (i < type.corners && type.corners > 1) corners_.push_back(vertex_of(tag));
     }
-    if (!corners_.empty()) mesh_.add_face(corners_, words_.line());
+    if (type.corners == 2) mesh_.add_edge(corners_[0], corners_[1], tokens_.line());
+    if (type.corners < 3) return;
+    mesh_.add_face(corners_, tokens_.line());
+    faces_.add(number);
+    physical_.push_back(physical);
+    entity_.push_back(entity);
   }
 
-  std::size_t corner_count(std::uint64_t type) const {
-    if (type == kPoint) return 1;
-    if (type == kLine) return 2;
-    if (type == kTriangle) return 3;
-    if (type == kQuad) return 4;
-    words_.fail(
-        fmt::format("elements of type {} cannot be read, only triangles (2), quads (3), "
-                    "lines (1) and points (15)",
-                    type));
+  /// An element's number, if that is not read yet, tags and nodes, as version 2.2 has them.
+  void read_element22(const ElementType& type, std::uint64_t number, std::uint64_t tags) {
+    std::array<double, 2> label = {0, 0};  // the physical group and the entity
+    for (std::uint64_t t = 0; t < tags; ++t) {
+      const auto tag = tokens_.integer("a tag");
+      if (t < 2) label[t] = static_cast<double>(tag);
+    }
+    read_element(type, number, label[0], label[1], [&] { return tokens_.index("a node's tag"); });
   }
 
+  //    1 2 2 7 1  5 6 8        number, type, count of tags, tags, nodes
   void read_elements22() {
-    const auto count = words_.index("the count of elements");
+    const auto count = tokens_.text_count("the count of elements");
     for (std::uint64_t i = 0; i < count; ++i) {
-      words_.index("an element's number");
-      const auto type = words_.index("an element's type");
-      const auto tags = words_.index("the count of tags");
-      for (std::uint64_t t = 0; t < tags; ++t) words_.number("a tag");
-      read_corners(type);
+      const auto number = tokens_.index("an element's number");
+      const auto& type = element_type(tokens_.index("an element's type"));
+      read_element22(type, number, tokens_.index("the count of tags"));
     }
-    end_section("$EndElements");
+  }
+
+  //    2 1000 2                type, elements in this block, count of tags; then for each
+  //    1 7 1  5 6 8            number, tags, nodes
+  void read_binary_elements22() {
+    const auto count = tokens_.text_count("the count of elements");
+    tokens_.end_text();
+    for (std::uint64_t i = 0; i < count;) {
+      const auto& type = element_type(tokens_.index("an element's type"));
+      const auto block = tokens_.index("the count of elements");
+      const auto tags = tokens_.index("the count of tags");
+      if (block > count - i) tokens_.fail("more elements than their count says");
+      for (std::uint64_t k = 0; k < block; ++k, ++i) {
+        const auto number = tokens_.index("an element's number");
+        read_element22(type, number, tags);
+      }
+    }
   }
 
   void read_elements41() {
-    const auto blocks = words_.index("the count of blocks");
-    words_.index("the count of elements");
-    words_.index("the least tag");
-    words_.index("the greatest tag");
+    tokens_.end_text();
+    const auto blocks = tokens_.size("the count of blocks");
+    tokens_.size("the count of elements");
+    tokens_.size("the least tag");
+    tokens_.size("the greatest tag");
     for (std::uint64_t b = 0; b < blocks; ++b) {
-      words_.index("a dimension");
-      words_.number("an entity");
-      const auto type = words_.index("the type of elements");
-      const auto count = words_.index("the count of elements");
+      tokens_.index("a dimension");
+      const auto entity = tokens_.integer("an entity");
+      const auto& type = element_type(tokens_.index("the type of elements"));
+      const auto count = tokens_.size("the count of elements");
+      const auto at = physical_of_.find(entity);
+      const double physical = at == physical_of_.end() ? 0 : at->second;
       for (std::uint64_t i = 0; i < count; ++i) {
-        words_.index("an element's tag");
-        read_corners(type);
+        const auto number = tokens_.size("an element's tag");
+        read_element(type, number, physical, static_cast<double>(entity),
+                     [&] { return tokens_.size("a node's tag"); });
       }
     }
-    end_section("$EndElements");
   }
 
-  struct Tag {
-    std::uint64_t number;
-    VertexId vertex;
-  };
-
-  const Source& source_;
-  Words words_;
-  MeshBuilder mesh_;
-  bool new_format_ = true;
-  std::vector<Tag> tags_;  // sorted once all nodes are read
-  std::vector<std::uint64_t> corners_;
-};
-
-// ---- Writing. ----
-
-void check_corners(const PolygonMesh& mesh) {
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const std::size_t corners = mesh.face(f).size();
-    if (corners == 3 || corners == 4) continue;
-    throw Error(
-        ErrorCode::kBadOption,
-        fmt::format("face {} has {} corners; .msh holds triangles and quads only", f, corners),
-        {f});
-  }
-}
-
-std::uint64_t type_of(const PolygonMesh& mesh, std::size_t f) {
-  return mesh.face(f).size() == 3 ? kTriangle : kQuad;
-}
-
-void write_node(Output& out, const MeshFile& file, std::size_t v) {
-  out << file.mesh.points[v].x << ' ' << file.mesh.points[v].y << ' ' << height(file, v) << '\n';
-}
-
-void write_corners(Output& out, const PolygonMesh& mesh, std::size_t f) {
-  for (const VertexId v : mesh.face(f)) out << ' ' << std::uint64_t{v} + 1;
-  out << '\n';
-}
-
-/// The one surface that all nodes and elements belong to, with its bounding box.
-void write_entity(Output& out, const MeshFile& file) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low = {infinity, infinity, infinity},
-                        high = {-infinity, -infinity, -infinity};
-  for (std::size_t v = 0; v < file.mesh.points.size(); ++v) {
-    const std::array<double, 3> p = {file.mesh.points[v].x, file.mesh.points[v].y, height(file, v)};
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
+  /// Groups if there is one, entities if there are two.
+  void add_labels(MeshFile& out) {
+    if (std::ranges::any_of(physical_, [](double label) { return label != 0; })) {
+      out.face_data.push_back({"physical", std::move(physical_)});
+    }
+    if (std::ranges::any_of(entity_, [&](double label) { return label != entity_[0]; })) {
+      out.face_data.push_back({"entity", std::move(entity_)});
     }
   }
-  if (file.mesh.points.empty()) low = high = {0, 0, 0};
-  out << "$Entities\n0 0 1 0\n1";
-  for (const double v : low) out << ' ' << v;
-  for (const double v : high) out << ' ' << v;
-  out << " 0 0\n$EndEntities\n";
-}
 
-/// Faces f to the end of their run of equal corner counts.
-std::size_t end_of_run(const PolygonMesh& mesh, std::size_t f) {
-  const auto type = type_of(mesh, f);
-  while (f < mesh.face_count() && type_of(mesh, f) == type) ++f;
-  return f;
-}
-
-std::size_t count_runs(const PolygonMesh& mesh) {
-  std::size_t runs = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); f = end_of_run(mesh, f)) ++runs;
-  return runs;
-}
+  const Source& source_;
+  MshTokens tokens_;
+  MeshBuilder mesh_;
+  bool new_format_ = true;
+  NumberMap nodes_;
+  NumberMap faces_;
+  std::unordered_map<std::int64_t, double> physical_of_;  // of surfaces
+  std::vector<double> physical_;                          // per face
+  std::vector<double> entity_;
+  std::vector<MshData> vertex_data_;
+  std::vector<MshData> face_data_;
+  std::vector<std::uint64_t> corners_;
+};
 
 }  // namespace
 
 MeshFile read_msh(const Source& source) { return MshReader(source).read(); }
-
-void write_msh41(Output& out, const MeshFile& file) {
-  const auto& mesh = file.mesh;
-  check_corners(mesh);
-  const std::size_t nodes = mesh.points.size(), faces = mesh.face_count();
-  out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-  write_entity(out, file);
-  out << "$Nodes\n1 " << nodes << " 1 " << nodes << "\n2 1 0 " << nodes << '\n';
-  for (std::size_t v = 0; v < nodes; ++v) out << v + 1 << '\n';
-  for (std::size_t v = 0; v < nodes; ++v) write_node(out, file, v);
-  out << "$EndNodes\n$Elements\n" << count_runs(mesh) << ' ' << faces << " 1 " << faces << '\n';
-  for (std::size_t f = 0; f < faces;) {
-    const std::size_t end = end_of_run(mesh, f);
-    out << "2 1 " << type_of(mesh, f) << ' ' << end - f << '\n';
-    for (; f < end; ++f) {
-      out << f + 1;
-      write_corners(out, mesh, f);
-    }
-  }
-  out << "$EndElements\n";
-}
-
-void write_msh22(Output& out, const MeshFile& file) {
-  const auto& mesh = file.mesh;
-  check_corners(mesh);
-  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << mesh.points.size() << '\n';
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    out << v + 1 << ' ';
-    write_node(out, file, v);
-  }
-  out << "$EndNodes\n$Elements\n" << mesh.face_count() << '\n';
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out << f + 1 << ' ' << type_of(mesh, f) << " 2 0 1";
-    write_corners(out, mesh, f);
-  }
-  out << "$EndElements\n";
-}
 
 }  // namespace quadloom::io

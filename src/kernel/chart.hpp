@@ -66,6 +66,19 @@ class Chart {
     return {p.x, p.y, dropped(corner[0].z, corner[1].z, corner[2].z)};
   }
 
+  /// The coordinate that is dropped.
+  double depth(Point p, double z) const {
+    return dropped_ == Dropped::kX ? p.x : dropped_ == Dropped::kY ? p.y : z;
+  }
+
+  /// The place that is seen at `seen` and has this depth.
+  Vector3 lift(Point seen, double depth) const {
+    const Point p = turned_ ? Point{seen.y, seen.x} : seen;
+    return dropped_ == Dropped::kX   ? Vector3{depth, p.x, p.y}
+           : dropped_ == Dropped::kY ? Vector3{p.y, depth, p.x}
+                                     : Vector3{p.x, p.y, depth};
+  }
+
  private:
   enum class Dropped : unsigned char { kX, kY, kZ };
   Dropped dropped_ = Dropped::kZ;

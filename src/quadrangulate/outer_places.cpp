@@ -193,9 +193,37 @@ void OuterPlaces::find_pockets() {
   }
 }
 
-std::optional<Point> OuterPlaces::place(HalfedgeId h) {
+std::uint32_t OuterPlaces::outer_of(HalfedgeId h) const {
   const auto at = std::lower_bound(boundary_.begin(), boundary_.end(), h);
-  const std::uint32_t outer = outer_[static_cast<std::size_t>(at - boundary_.begin())];
+  return outer_[static_cast<std::size_t>(at - boundary_.begin())];
+}
+
+/// The triangles a, b, s and r, a, t of two edges of a pocket have no more in common than a if the
+/// directions from a to t, s, b are in this order.
+///
+///              r
+///              | `.
+///              | t  `.
+///              |   s  `.
+///              a---------b     the mesh is below a-b and on the left of r-a
+bool OuterPlaces::allows(HalfedgeId h, Point s) const {
+  const std::uint32_t outer = outer_of(h);
+  if (outer == kNone) return false;
+  const Pocket& pocket = pockets_[outer / 3];
+  const std::uint32_t edge = outer % 3, next = (edge + 1) % 3, last = (edge + 2) % 3;
+  const Point b = pocket.corner[edge], a = pocket.corner[next];
+  if (!Region{a, b, pocket.corner[last], {}}.holds(s)) return false;
+  const auto &at_a = pocket.taken[next], &at_b = pocket.taken[last];
+  return (!at_a || orient(a, *at_a, s) > 0) && (!at_b || orient(b, s, *at_b) > 0);
+}
+
+void OuterPlaces::take(HalfedgeId h, Point s) {
+  const std::uint32_t outer = outer_of(h);
+  pockets_[outer / 3].taken[outer % 3] = s;
+}
+
+std::optional<Point> OuterPlaces::place(HalfedgeId h) {
+  const std::uint32_t outer = outer_of(h);
   if (outer == kNone) return std::nullopt;
   Pocket& pocket = pockets_[outer / 3];
   const std::uint32_t edge = outer % 3;

@@ -29,14 +29,23 @@ class OuterPlaces {
   /// The same; throws Error kGuarantee naming the edge (culprits: its ends).
   Point place_or_throw(HalfedgeId h);
 
+  // Instead of place(), for callers that look for places themselves, and move them:
+
+  /// Whether s may be the place for h beside those that other edges took.
+  bool allows(HalfedgeId h, Point s) const;
+  /// Makes s, which is allowed, the place for h, in the stead of an earlier one.
+  void take(HalfedgeId h, Point s);
+
  private:
   /// A triangle outside, and the place that the first of its edges was given.
   struct Pocket {
     std::array<Point, 3> corner;
     std::optional<Point> first;
+    std::array<std::optional<Point>, 3> taken;  // by edge
   };
 
   void find_pockets();
+  std::uint32_t outer_of(HalfedgeId h) const;
 
   const Triangulation& mesh_;
   std::vector<HalfedgeId> boundary_;  // ascending

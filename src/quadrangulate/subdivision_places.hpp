@@ -1,4 +1,4 @@
-// Where the added points of a subdivided triangle go: the nearest doubles that exact predicates accept.
+// Where the added points of a subdivided face go: the nearest doubles that exact predicates accept.
 #pragma once
 
 #include <array>
@@ -8,16 +8,23 @@
 
 namespace quadloom::quadrangulate {
 
-/// A triangle with a point for each edge; edge[i] is for the edge from corner[i] to corner[i + 1].
-struct SplitTriangle {
-  std::array<Point, 3> corner;
-  std::array<Point, 3> edge;
+/// A triangle or quad with a point for each edge; edge[i] is for the edge from corner[i] to
+/// corner[i + 1].
+template <std::size_t N>
+struct SplitFace {
+  std::array<Point, N> corner;
+  std::array<Point, N> edge;
 };
+using SplitTriangle = SplitFace<3>;
+using SplitQuad = SplitFace<4>;
 
 /// A place for the inner point such that all three quads are strictly convex; empty if none of the
 /// places tried is one: the centroid of the edge points, then doubles in the triangle of the edge
 /// points along its longer axis.
 std::optional<Point> inner_place(const SplitTriangle& split);
+
+/// The same for the four quads of a quad; empty if it is not strictly convex.
+std::optional<Point> inner_place(const SplitQuad& split);
 
 /// The point of the segment a->b at eighths / 8 of its length, up to rounding.
 Point along_edge(Point a, Point b, int eighths);

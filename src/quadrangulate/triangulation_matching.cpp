@@ -108,7 +108,7 @@ TriangleMatching match_triangles(const TriangleMesh& input, const Triangulation&
                                  const TriangleOptions& options) {
   TriangleMatching out;
   const std::int32_t least = least_weight(options);
-  Weights shape = shape_weights(cut);
+  Weights shape = shape_weights(cut, input.z);
   for (const HalfedgeId h : input.given_pair) {
     if (h != kNone) shape[h] = static_cast<std::int32_t>(kWeightScale) + 1;  // whatever its shape
   }

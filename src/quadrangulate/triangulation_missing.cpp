@@ -2,7 +2,6 @@
 #include "quadrangulate/triangulation_fans.hpp"
 #include "quadrangulate/triangulation_percolate.hpp"
 #include "quadrangulate/triangulation_q_percolation.hpp"
-#include "quadrangulate/triangulation_subdivide.hpp"
 
 namespace quadloom::quadrangulate {
 
@@ -13,7 +12,5 @@ TriangleResult percolate_triangulation(const TriangleMesh&, const TriangleOption
 TriangleResult fan_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
 
 TriangleResult q_percolate_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
-
-TriangleResult subdivide_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
 
 }  // namespace quadloom::quadrangulate

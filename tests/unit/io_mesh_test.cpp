@@ -95,7 +95,7 @@ TEST_P(EveryMeshFormat, KeepsTheDataItCan) {
                       {"weight", {0.1, 1e-300, kLeast, -0.0, 1e300, -1, 0}}};
   file.face_data = {{"quality", {0.25, std::nan(""), 1e-17}}};
   const auto back = there_and_back(file);
-  const bool both = format() == "ply" || format().starts_with("vtu");
+  const bool both = format() == "ply" || format().starts_with("vtu") || format().starts_with("msh");
   expect_same_data(both ? file.vertex_data : std::vector<Attribute>{}, back.vertex_data);
   expect_same_data(both || format().ends_with("json") ? file.face_data : std::vector<Attribute>{},
                    back.face_data);
@@ -292,7 +292,7 @@ TEST(ReadMsh, WhatGmshWrites) {
       read("msh",
            "$MeshFormat\r\n2.2 0 8\r\n$EndMeshFormat\r\n$Nodes\r\n4\r\n5 0 0 0\r\n6 1 0 0\r\n"
            "8 1 1 0\r\n7 0 1 0\r\n$EndNodes\r\n$Elements\r\n3\r\n1 15 2 0 1 5\r\n2 1 2 0 1 5 6\r\n"
-           "3 3 2 0 1 5 6 8 7\r\n$EndElements\r\n$NodeData\r\n1\r\n\"x\"\r\n$EndNodeData\r\n"));
+           "3 3 2 0 1 5 6 8 7\r\n$EndElements\r\n$Periodic\r\n1\r\n\"x\"\r\n$EndPeriodic\r\n"));
 }
 
 TEST(ReadGeojsonMesh, MultiPolygonsAndProperties) {
@@ -486,7 +486,7 @@ TEST(BadMeshes, Msh) {
   for (const BadFile& bad : std::vector<BadFile>{
            {"msh", "", "does not begin with $MeshFormat", kParse, {1}},
            {"msh", "$MeshFormat\n4 0 8\n", "version '4' of .msh", kParse, {2}},
-           {"msh", "$MeshFormat\n4.1 1 8\n", "a binary .msh", kParse, {2}},
+           {"msh", "$MeshFormat\n4.1 2 8\n", "file type 2, there are 0 and 1", kParse, {2}},
            {"msh",
             "$MeshFormat\n4.1 0 8\n$Nodes",
             "'$Nodes', expected $EndMeshFormat",
@@ -526,7 +526,7 @@ TEST(BadMeshes, Msh) {
             kRange,
             {0, 2}},
            {"msh", node + "$Elements\n1\n1 3 0 1 1 1 0\n", "names node 0", kRange, {0, 0}},
-           {"msh", node + "$Elements\n1\n1 9 0 1 1 1 1 1 1\n", "elements of type 9", kParse, {10}},
+           {"msh", node + "$Elements\n1\n1 4 0 1 1 1 1\n", "elements of type 4", kParse, {10}},
            {"msh",
             node + "$Elements\n1\n1 3 99999999999 1 1 1\n",
             "the file ends here",
