@@ -29,7 +29,8 @@ enum class Fault {
   kRepeatedCorner,
   kCornerCount,
   kNotFinite,  ///< a used vertex with a NaN or infinite coordinate
-  kNotSimple,  ///< not a simple counter-clockwise polygon of positive area
+  kNotSimple,  ///< not a simple counter-clockwise polygon of positive area; on a surface: all
+               ///< corners on one line
   kNotStrictlyConvex,
   kRepeatedEdge,    ///< a directed edge in two faces
   kRepeatedVertex,  ///< two used vertices at the same place
@@ -39,6 +40,8 @@ enum class Fault {
   kTooManyTriangles,
   kTooManySteiner,
   kSteinerOnBoundary,
+  kFans,      ///< surfaces: the faces at a vertex hang together otherwise than in the source
+  kTopology,  ///< surfaces: other components, or one of another Euler characteristic
 };
 
 /// The verdict with its figures (counted up to the fault) and, for a fault, a sentence and the
@@ -83,11 +86,16 @@ Certificate certify_polygons(const PolygonMesh& mesh, std::span<const Polygon> p
 Certificate certify_mesh(const PolygonMesh& mesh, const PolygonMesh& source,
                          const CertifyOptions& options = {});
 
-/// The same for a surface in space, z one a vertex: what can be said of it is combinatorial. Faces have
-/// distinct corners and an area, each directed edge is in one face, the faces at a vertex hang
-/// together as in the source, the boundary is the source's (as in certify_mesh, an edge may be split
-/// if steiner_inside and outer_steiner are false), source vertices stay, and each component has the
-/// source's Euler characteristic. Throws as certify_mesh.
+/// For a surface in space that was made from another; heights are one a vertex or empty (0). What
+/// can be said of it is combinatorial, and vertices are known by number: each vertex that the source
+/// uses is the vertex with the same number, at the same place, in a face; the others are Steiner
+/// points. Faces have distinct corners, not all on one line, each directed edge is in one face; the
+/// faces at a vertex make as many fans as in the source (a Steiner point: one); the boundary is the
+/// source's, an edge in one piece or replaced by a chain through Steiner points, which without
+/// outer_steiner are in the box that the edge spans; the components are the source's and have its
+/// Euler characteristics. strictly_convex: in the coordinate plane that the face is nearest to.
+/// Whether faces cut each other in space, and whether a closed surface is inside out, is not looked
+/// at. Throws Error kBadMesh, kIndexOutOfRange, kTooFewPoints as certify_mesh, kBadOption. O(n log n).
 Certificate certify_surface(const PolygonMesh& mesh, std::span<const double> z,
                             const PolygonMesh& source, std::span<const double> source_z,
                             const CertifyOptions& options = {});

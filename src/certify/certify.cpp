@@ -2,19 +2,19 @@
 // input. It trusts nothing that the mesh's maker computed, and uses the exact predicates only. What
 // the steps prove together is in docs/algorithms/certify.md.
 //
-//   1. check_layout      the arrays fit together
-//   2. check_corners     corner counts; every corner is a vertex, once in its face
-//   3. check_finite      used vertices have finite coordinates
-//   4. check_shapes      each face is a simple counter-clockwise polygon of positive area
-//   5. check_edges       no directed edge is in two faces
-//   6. check_distinct    no two used vertices at the same place
-//   7. check_input       every input point is a used vertex, bit for bit (-0.0 is 0.0)
-//   8. check_boundary    the edges without a reverse: one weakly convex cycle, once around; or, for
+//   1. check_corners     the arrays fit together; corner counts; every corner is a vertex, once in its
+//                        face
+//   2. check_finite      used vertices have finite coordinates
+//   3. check_shapes      each face is a simple counter-clockwise polygon of positive area
+//   4. check_edges       no directed edge is in two faces
+//   5. check_distinct    no two used vertices at the same place
+//   6. check_input       every input point is a used vertex, bit for bit (-0.0 is 0.0)
+//   7. check_boundary    the edges without a reverse: one weakly convex cycle, once around; or, for
 //                        polygons and meshes (check_outline), the given edges, winding once
-//   9. check_steiner     how many vertices are no input points, and whether any is on the boundary
+//   8. check_steiner     how many vertices are no input points, and whether any is on the boundary
 //
 // Each step may rely on those before it. Unused vertices are not looked at. Cost: linear in the
-// size of the mesh and the input (expected, for the hash table of 6 and 7), but for sorting the
+// size of the mesh and the input (expected, for the hash table of 5 and 6), but for sorting the
 // edges at a vertex and k log k for faces of many corners.
 
 #include "quadloom/certify.hpp"
@@ -24,8 +24,8 @@
 #include <cstdint>
 
 #include "certify/boundary.hpp"
+#include "certify/corners.hpp"
 #include "certify/edges.hpp"
-#include "certify/layout.hpp"
 #include "certify/outline.hpp"
 #include "certify/places.hpp"
 #include "certify/polygon.hpp"
@@ -42,7 +42,6 @@ using certify::Places;
 using certify::point_text;
 using certify::vertex_text;
 
-constexpr std::size_t kMostVertices = std::size_t{1} << 31;
 constexpr std::size_t kMostCulprits = 16;
 
 class Judge {
@@ -53,7 +52,7 @@ class Judge {
       : mesh_(mesh), input_(input), options_(options), outline_(outline), places_(mesh.points) {}
 
   Certificate judge() {
-    (void)(check_layout() && check_corners() && check_finite() && check_shapes() && check_edges() &&
+    (void)(check_corners() && check_finite() && check_shapes() && check_edges() &&
            check_distinct() && check_input() && check_boundary() && check_steiner());
     return std::move(out_);
   }
@@ -69,9 +68,7 @@ class Judge {
     return false;
   }
 
-  bool check_layout();
   bool check_corners();
-  bool check_corners_of(std::size_t f);
   bool check_finite();
   bool check_shapes();
   bool check_edges();
@@ -81,9 +78,7 @@ class Judge {
   bool check_outline();
   bool check_steiner();
 
-  bool has_repeated_corner(std::span<const VertexId> corners);
   void count_turns(std::size_t corners, int smallest_turn);
-  std::vector<std::size_t> faces_of(DirectedEdge edge) const;
 
   const PolygonMesh& mesh_;
   std::span<const Point> input_;
@@ -96,60 +91,16 @@ class Judge {
   std::vector<DirectedEdge> boundary_edges_;
   std::vector<VertexId> boundary_;
   Places places_;
-  std::vector<VertexId> scratch_;
 };
 
-bool Judge::check_layout() {
-  if (!certify::layout_fits(mesh_)) {
-    return fault(Fault::kIndexOutOfRange, "the faces' beginnings do not fit the list of corners",
-                 {});
-  }
-  if (mesh_.face_count() == 0) return fault(Fault::kNoFaces, "the mesh has no faces", {});
-  return true;
-}
-
-bool Judge::has_repeated_corner(std::span<const VertexId> corners) {
-  scratch_.assign(corners.begin(), corners.end());
-  std::ranges::sort(scratch_);
-  return std::ranges::adjacent_find(scratch_) != scratch_.end();
-}
-
-bool Judge::check_corners_of(std::size_t f) {
-  const auto corners = mesh_.face(f);
-  if (corners.size() != options_.corners) {
-    if (corners.size() != 3) {
-      return fault(Fault::kCornerCount,
-                   face_text(mesh_, f) + " has " + std::to_string(corners.size()) +
-                       " corners, expected " + std::to_string(options_.corners),
-                   {f});
-    }
-    if (++out_.triangles > options_.triangles_allowed) {
-      return fault(Fault::kTooManyTriangles,
-                   face_text(mesh_, f) + " is triangle number " + std::to_string(out_.triangles) +
-                       ", " + std::to_string(options_.triangles_allowed) + " allowed",
-                   {f});
-    }
-  }
-  for (const VertexId v : corners) {
-    if (v >= mesh_.points.size()) {
-      return fault(Fault::kIndexOutOfRange,
-                   face_text(mesh_, f) + " names a vertex that is not there (" +
-                       std::to_string(mesh_.points.size()) + " vertices)",
-                   {f});
-    }
-    used_ += role_[v] == Role::kUnused ? 1 : 0;
-    role_[v] = Role::kSteiner;
-  }
-  if (has_repeated_corner(corners)) {
-    return fault(Fault::kRepeatedCorner, face_text(mesh_, f) + " names a vertex twice", {f});
-  }
-  return true;
-}
-
 bool Judge::check_corners() {
-  role_.assign(mesh_.points.size(), Role::kUnused);
-  for (std::size_t f = 0; f < mesh_.face_count(); ++f, ++out_.faces) {
-    if (!check_corners_of(f)) return false;
+  std::vector<std::uint8_t> used;
+  if (!certify::judge_corners(mesh_, options_, out_, used)) return false;
+  role_.assign(used.size(), Role::kUnused);
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] == 0) continue;
+    role_[v] = Role::kSteiner;
+    ++used_;
   }
   return true;
 }
@@ -201,30 +152,12 @@ bool Judge::check_shapes() {
   return true;
 }
 
-std::vector<std::size_t> Judge::faces_of(DirectedEdge edge) const {
-  std::vector<std::size_t> faces;
-  for (std::size_t f = 0; f < mesh_.face_count() && faces.size() < 2; ++f) {
-    const auto corners = mesh_.face(f);
-    const auto from = std::ranges::find(corners, edge.from);
-    if (from == corners.end()) continue;
-    if ((from + 1 == corners.end() ? corners.front() : *(from + 1)) == edge.to) faces.push_back(f);
-  }
-  return faces;
-}
-
 bool Judge::check_edges() {
-  if (mesh_.points.size() >= kMostVertices) {
-    throw Error(ErrorCode::kTooManyPoints, "certify takes fewer than 2^31 vertices");
-  }
+  certify::require_few_vertices(mesh_);
   auto report = certify::match_edges(mesh_);
   if (report.repeated.from != kNone) {
-    const auto [from, to] = report.repeated;
-    const auto faces = faces_of(report.repeated);
-    return fault(Fault::kRepeatedEdge,
-                 "the edge from " + vertex_text(mesh_, from) + " to " + vertex_text(mesh_, to) +
-                     " is in " + face_text(mesh_, faces.at(0)) + " and in " +
-                     face_text(mesh_, faces.at(1)),
-                 {from, to});
+    certify::report_repeated_edge(mesh_, report.repeated.from, report.repeated.to, out_);
+    return false;
   }
   boundary_edges_ = std::move(report.alone);
   return true;
@@ -312,23 +245,17 @@ bool Judge::check_steiner() {
                vertex_text(mesh_, *on_rim) + " is on the boundary and no input point", {*on_rim});
 }
 
-void check_options(const CertifyOptions& options) {
-  if (options.corners >= 3) return;
-  throw Error(ErrorCode::kBadOption,
-              "faces have three corners at least, not " + std::to_string(options.corners));
-}
-
 }  // namespace
 
 Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
                            const CertifyOptions& options) {
-  check_options(options);
+  certify::check_options(options);
   return Judge(mesh, input, options).judge();
 }
 
 Certificate certify_polygons(const PolygonMesh& mesh, std::span<const Polygon> polygons,
                              std::span<const Point> inner, const CertifyOptions& options) {
-  check_options(options);
+  certify::check_options(options);
   std::vector<Point> input;
   for (const Polygon& polygon : polygons) {
     for (const auto& ring : polygon.rings) input.insert(input.end(), ring.begin(), ring.end());
@@ -341,7 +268,7 @@ Certificate certify_polygons(const PolygonMesh& mesh, std::span<const Polygon> p
 
 Certificate certify_mesh(const PolygonMesh& mesh, const PolygonMesh& source,
                          const CertifyOptions& options) {
-  check_options(options);
+  certify::check_options(options);
   const auto outline = certify::outline_of(source);
   std::vector<std::uint8_t> used(source.points.size(), 0);
   for (const VertexId v : source.face_vertex) used[v] = 1;

@@ -1,6 +1,7 @@
 // The edges of a polygon mesh, matched from the faces alone.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "quadloom/core.hpp"
@@ -20,5 +21,10 @@ struct EdgeReport {
 /// Every edge must have valid, different ends, and vertices be fewer than 2^31. O(edges + vertices)
 /// and a sort of the edges at each vertex.
 EdgeReport match_edges(const PolygonMesh& mesh);
+
+/// Per corner (a place in PolygonMesh::face_vertex), whose edge goes to the next corner of its face:
+/// the corner whose edge is the reverse, kNone if there is none. Under the conditions of match_edges,
+/// if no edge is repeated.
+std::vector<std::uint32_t> reverse_edges(const PolygonMesh& mesh);
 
 }  // namespace quadloom::certify

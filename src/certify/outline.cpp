@@ -152,7 +152,7 @@ std::vector<OutlineEdge> outline_of(std::span<const Polygon> polygons) {
   return out;
 }
 
-std::vector<OutlineEdge> outline_of(const PolygonMesh& mesh) {
+EdgeReport check_source(const PolygonMesh& mesh) {
   if (!layout_fits(mesh)) {
     throw Error(ErrorCode::kBadMesh, "the faces' beginnings do not fit the list of corners");
   }
@@ -166,7 +166,7 @@ std::vector<OutlineEdge> outline_of(const PolygonMesh& mesh) {
                   face_text(mesh, f) + " names a vertex that is not there", {f, v});
     }
   }
-  const EdgeReport report = match_edges(mesh);
+  EdgeReport report = match_edges(mesh);
   if (report.repeated.from != kNone) {
     const auto [from, to] = report.repeated;
     throw Error(ErrorCode::kBadMesh,
@@ -174,6 +174,11 @@ std::vector<OutlineEdge> outline_of(const PolygonMesh& mesh) {
                     vertex_text(mesh, to) + " on the same side",
                 {from, to});
   }
+  return report;
+}
+
+std::vector<OutlineEdge> outline_of(const PolygonMesh& mesh) {
+  const EdgeReport report = check_source(mesh);
   std::vector<OutlineEdge> out;
   for (const auto [from, to] : report.alone) out.push_back({mesh.points[from], mesh.points[to]});
   return out;

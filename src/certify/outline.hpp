@@ -21,7 +21,10 @@ struct OutlineEdge {
 /// The edges of the rings; those that two polygons share are none.
 std::vector<OutlineEdge> outline_of(std::span<const Polygon> polygons);
 
-/// The edges of one face alone. Throws Error kBadMesh, kIndexOutOfRange.
+/// The edges of a source. Throws Error kBadMesh, kIndexOutOfRange.
+EdgeReport check_source(const PolygonMesh& mesh);
+
+/// The edges of one face alone. Throws as check_source.
 std::vector<OutlineEdge> outline_of(const PolygonMesh& mesh);
 
 struct OutlineReport {
