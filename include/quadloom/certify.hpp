@@ -125,8 +125,11 @@ struct Quality {
 /// Faces should be counter-clockwise. A mesh without faces has zeros everywhere. Throws Error
 /// kBadMesh (a face of fewer than three corners), kIndexOutOfRange, kNotFinite. Near-linear.
 Quality measure_quality(const PolygonMesh& mesh);
-/// The same for a surface in space: angles and shapes are those in space; a quad counts as strictly
-/// convex if it is so in the coordinate plane that it is nearest to.
+/// The same for a surface in space, z one a vertex (empty: as above): lengths and angles are those in
+/// space. What turns in and out, and so which quads are convex, is seen (exactly) in the coordinate
+/// plane that the face is nearest to: a corner that turns out there has 360 degrees less its angle,
+/// and the shape of a quad is 1 - (2/pi) max |pi/2 - angle| if it is strictly convex there, else 0.
+/// Throws also Error kBadMesh if the size of z is wrong.
 Quality measure_quality(const PolygonMesh& mesh, std::span<const double> z);
 
 }  // namespace quadloom

@@ -1,5 +1,7 @@
 // Shape figures: one pass over the faces. Which quads are convex is decided exactly; angles,
 // lengths and shapes are plain floating point, with differences halved where they would overflow.
+// On a surface angles and lengths are those in space; which corners turn in and out is seen in the
+// coordinate plane that the face is nearest to.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +12,7 @@
 #include "certify/edges.hpp"
 #include "certify/layout.hpp"
 #include "certify/polygon.hpp"
+#include "certify/space.hpp"
 #include "certify/wording.hpp"
 #include "quadloom/certify.hpp"
 #include "quadloom/kernel.hpp"
@@ -29,21 +32,6 @@ Point direction(Point a, Point b) {
   return {std::scalbn(d.x, -exponent), std::scalbn(d.y, -exponent)};
 }
 
-double length(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
-/// Longest over shortest side.
-double aspect(std::span<const Point> corners) {
-  double longest = 0, shortest = kInfinity;
-  Point at = corners.back();
-  for (const Point after : corners) {
-    const double side = length({at.x / 4, at.y / 4}, {after.x / 4, after.y / 4});  // no overflow
-    longest = std::max(longest, side);
-    shortest = std::min(shortest, side);
-    at = after;
-  }
-  return shortest > 0 ? longest / shortest : kInfinity;
-}
-
 /// The angle inside a counter-clockwise face at `at`, degrees in [0, 360).
 double inner_angle(Point before, Point at, Point after) {
   const Point u = direction(at, after), v = direction(at, before);
@@ -60,7 +48,8 @@ void count_in(std::array<std::size_t, N>& bins, double share) {
 
 class Measure {
  public:
-  explicit Measure(const PolygonMesh& mesh) : mesh_(mesh) {}
+  Measure(const PolygonMesh& mesh, std::span<const double> z)
+      : mesh_(mesh), places_{mesh.points, z} {}
 
   Quality run() {
     check();
@@ -74,15 +63,24 @@ class Measure {
 
  private:
   void check() const;
+  double length(VertexId a, VertexId b, double scale = 1) const;
+  double corner_angle(std::size_t i) const;
+  double aspect() const;
+  double shape_in_space() const;
   void measure_face(std::size_t f);
   void measure_angle(double angle);
   void measure_quad();
   void finish_edges();
   void finish_quads();
 
+  std::size_t before(std::size_t i) const { return i == 0 ? face_.size() - 1 : i - 1; }
+  std::size_t after(std::size_t i) const { return i + 1 == face_.size() ? 0 : i + 1; }
+
   const PolygonMesh& mesh_;
+  kernel::Places places_;
   Quality out_;
-  std::vector<Point> corners_;
+  std::span<const VertexId> face_;
+  std::vector<Point> corners_;  // of face_, in the plane or its coordinate plane
   std::vector<double> aspect_;
   double side_sum_ = 0;
   double shape_sum_ = 0;
@@ -91,6 +89,9 @@ class Measure {
 void Measure::check() const {
   if (!certify::layout_fits(mesh_)) {
     throw Error(ErrorCode::kBadMesh, "the faces' beginnings do not fit the list of corners");
+  }
+  if (!places_.planar() && places_.z.size() != mesh_.points.size()) {
+    throw Error(ErrorCode::kBadMesh, "the heights are not one a vertex");
   }
   for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
     const auto corners = mesh_.face(f);
@@ -103,7 +104,8 @@ void Measure::check() const {
         throw Error(ErrorCode::kIndexOutOfRange,
                     certify::face_text(mesh_, f) + " names a vertex that is not there", {f, v});
       }
-      if (!std::isfinite(mesh_.points[v].x) || !std::isfinite(mesh_.points[v].y)) {
+      if (!std::isfinite(mesh_.points[v].x) || !std::isfinite(mesh_.points[v].y) ||
+          !std::isfinite(places_.at(v).z)) {
         throw Error(ErrorCode::kNotFinite, certify::vertex_text(mesh_, v) + " is not finite", {v});
       }
     }
@@ -116,18 +118,52 @@ void Measure::measure_angle(double angle) {
   count_in(out_.angle_histogram, angle / 360);
 }
 
+double Measure::length(VertexId a, VertexId b, double scale) const {
+  const kernel::Vector3 p = places_.at(a), q = places_.at(b);
+  const double x = q.x * scale - p.x * scale, y = q.y * scale - p.y * scale;
+  return places_.planar() ? std::hypot(x, y) : std::hypot(x, y, q.z * scale - p.z * scale);
+}
+
+/// The angle inside the face, degrees in [0, 360).
+double Measure::corner_angle(std::size_t i) const {
+  const std::size_t k = before(i), m = after(i);
+  if (places_.planar()) return inner_angle(corners_[k], corners_[i], corners_[m]);
+  const double angle =
+      certify::angle_in_space(places_.at(face_[k]), places_.at(face_[i]), places_.at(face_[m]));
+  const bool turns_right = orient2d(corners_[k], corners_[i], corners_[m]) < 0;
+  return turns_right && angle > 0 ? 360 - angle : angle;
+}
+
+/// Longest over shortest side.
+double Measure::aspect() const {
+  double longest = 0, shortest = kInfinity;
+  for (std::size_t i = 0; i < face_.size(); ++i) {
+    const double side = length(face_[i], face_[after(i)], 0.25);  // no overflow
+    longest = std::max(longest, side);
+    shortest = std::min(shortest, side);
+  }
+  return shortest > 0 ? longest / shortest : kInfinity;
+}
+
+/// quad_shape by the angles in space; the quad is strictly convex in its coordinate plane.
+double Measure::shape_in_space() const {
+  double worst = 0;
+  for (std::size_t i = 0; i < 4; ++i) worst = std::max(worst, std::fabs(90 - corner_angle(i)));
+  return 1 - worst / 90;
+}
+
 void Measure::measure_face(std::size_t f) {
+  face_ = mesh_.face(f);
+  const kernel::Chart chart =
+      places_.planar() ? kernel::Chart() : kernel::Chart(certify::area_of(places_, face_));
   corners_.clear();
-  for (const VertexId v : mesh_.face(f)) corners_.push_back(mesh_.points[v]);
-  Point before = corners_[corners_.size() - 2], at = corners_.back();
-  for (const Point after : corners_) {
-    measure_angle(inner_angle(before, at, after));
-    const double side = length(at, after);
+  for (const VertexId v : face_) corners_.push_back(places_.seen(chart, v));
+  for (std::size_t i = 0; i < face_.size(); ++i) {
+    measure_angle(corner_angle(i));
+    const double side = length(face_[i], face_[after(i)]);
     out_.max_edge = std::max(out_.max_edge, side);
     out_.min_edge = std::min(out_.min_edge, side);
     side_sum_ += side;
-    before = at;
-    at = after;
   }
   if (corners_.size() == 4) {
     measure_quad();
@@ -141,18 +177,21 @@ void Measure::measure_quad() {
   const auto verdict = certify::judge_polygon(corners_);
   const int turn = verdict.simple ? verdict.smallest_turn : -1;
   ++(turn > 0 ? out_.strictly_convex : turn == 0 ? out_.flat_cornered : out_.non_convex);
-  const double shape = quad_shape(corners_[0], corners_[1], corners_[2], corners_[3]);
+  const double shape = places_.planar()
+                           ? quad_shape(corners_[0], corners_[1], corners_[2], corners_[3])
+                       : turn > 0 ? shape_in_space()
+                                  : 0;
   shape_sum_ += shape;
   out_.min_shape = std::min(out_.min_shape, shape);
   count_in(out_.shape_histogram, shape);
-  aspect_.push_back(aspect(corners_));
+  aspect_.push_back(aspect());
 }
 
 /// Twice every edge: the sides of all faces, and those on the boundary once more.
 void Measure::finish_edges() {
   const auto alone = certify::match_edges(mesh_).alone;
   for (const auto [from, to] : alone) {
-    side_sum_ += length(mesh_.points[from], mesh_.points[to]);
+    side_sum_ += length(from, to);
   }
   out_.mean_edge = side_sum_ / static_cast<double>(mesh_.face_vertex.size() + alone.size());
 }
@@ -171,6 +210,10 @@ void Measure::finish_quads() {
 
 }  // namespace
 
-Quality measure_quality(const PolygonMesh& mesh) { return Measure(mesh).run(); }
+Quality measure_quality(const PolygonMesh& mesh) { return Measure(mesh, {}).run(); }
+
+Quality measure_quality(const PolygonMesh& mesh, std::span<const double> z) {
+  return Measure(mesh, z).run();
+}
 
 }  // namespace quadloom

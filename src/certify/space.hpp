@@ -17,4 +17,7 @@ bool on_a_line(const kernel::Places& places, std::span<const VertexId> face);
 /// not simple there.
 int smallest_turn_in_chart(const kernel::Places& places, std::span<const VertexId> face);
 
+/// The angle at b of a, b, c in degrees, [0, 180]; plain floating point, without overflow.
+double angle_in_space(kernel::Vector3 a, kernel::Vector3 b, kernel::Vector3 c);
+
 }  // namespace quadloom::certify

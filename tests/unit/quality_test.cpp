@@ -7,6 +7,7 @@
 
 #include "quadloom/certify.hpp"
 #include "support/grid_mesh.hpp"
+#include "support/surfaces.hpp"
 
 namespace quadloom {
 namespace {
@@ -92,6 +93,55 @@ TEST(Quality, RefusesWhatIsNoMesh) {
   mesh.face_vertex.pop_back();
   mesh.face_begin.back() = 2;
   EXPECT_THROW(measure_quality(mesh), Error);
+}
+
+TEST(Quality, OfASurfaceInEveryCoordinatePlane) {
+  // A rectangle, a dart and a triangle, in the planes x y, y z, z x; and as the plane has them.
+  const std::vector<Point> flat = {{0, 0}, {4, 0}, {4, 1}, {0, 1}, {8, 0}, {5, 1}, {4, 4}, {-1, 5}};
+  const std::vector<std::vector<VertexId>> faces = {{0, 1, 2, 3}, {1, 4, 5, 6}, {3, 2, 7}};
+  PolygonMesh plane;
+  plane.points = flat;
+  test::set_faces(plane, faces);
+  const Quality wanted = measure_quality(plane);
+  EXPECT_EQ(wanted.non_convex, 1U);
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    PolygonMesh mesh = plane;
+    std::vector<double> z;
+    for (Point& p : mesh.points) {
+      const std::array<double, 3> at = {p.x, p.y, 7};
+      p = {at[(3 - turn) % 3], at[(4 - turn) % 3]};
+      z.push_back(at[(5 - turn) % 3]);
+    }
+    const Quality q = measure_quality(mesh, z);
+    EXPECT_EQ(q.strictly_convex, wanted.strictly_convex) << turn;
+    EXPECT_EQ(q.non_convex, wanted.non_convex);
+    EXPECT_EQ(q.angle_histogram, wanted.angle_histogram);
+    EXPECT_NEAR(q.min_angle, wanted.min_angle, 1e-9);
+    EXPECT_NEAR(q.max_angle, wanted.max_angle, 1e-9);
+    EXPECT_NEAR(q.mean_shape, wanted.mean_shape, 1e-12);
+    EXPECT_DOUBLE_EQ(q.mean_edge, wanted.mean_edge);
+    EXPECT_DOUBLE_EQ(q.max_aspect, wanted.max_aspect);
+  }
+  EXPECT_EQ(measure_quality(plane, {}).mean_shape, wanted.mean_shape);
+  EXPECT_THROW(measure_quality(plane, std::vector<double>(3, 0)), Error);
+}
+
+TEST(Quality, OfASkewQuadInSpace) {
+  // A square with one corner lifted: the angle there is 60 degrees, the others stay right.
+  const auto mesh = one_face({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const Quality q = measure_quality(mesh, std::vector<double>{0, 0, 1, 0});
+  EXPECT_DOUBLE_EQ(q.min_angle, 60);  // between (0, -1, -1) and (-1, 0, -1)
+  EXPECT_DOUBLE_EQ(q.max_angle, 90);
+  EXPECT_DOUBLE_EQ(q.min_shape, 1 - 30.0 / 90);
+  EXPECT_DOUBLE_EQ(q.max_aspect, std::sqrt(2.0));
+  EXPECT_EQ(q.strictly_convex, 1U);
+  for (const double s : {1e-320, 1e-300, 1e300}) {
+    const Quality far = measure_quality(one_face({{-s, -s}, {s, -s}, {s, s}, {-s, s}}),
+                                        std::vector<double>{-s, -s, s, s});
+    EXPECT_DOUBLE_EQ(far.min_angle, 90) << s;
+    EXPECT_DOUBLE_EQ(far.max_angle, 90) << s;
+  }
+  EXPECT_THROW(measure_quality(mesh, std::vector<double>{0, 0, std::nan(""), 0}), Error);
 }
 
 }  // namespace
