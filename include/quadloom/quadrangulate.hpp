@@ -164,6 +164,8 @@ struct TriangleStatistics {
   std::size_t walks = 0;           ///< walks that merged two of them
   std::size_t walk_steps = 0;      ///< pentagons re-cut by these walks
   std::size_t crossings = 0;       ///< quads crossed with an inner Steiner point each
+  std::size_t crowded = 0;         ///< kQuarter: no double for one point among five triangles or
+                                   ///< more, so that there are two or three
   double weight_gap = 0;  ///< MatchingEffort::kNear: at most this share of the weight is lost
 };
 

@@ -1,7 +1,6 @@
 // Methods that are still to come, one by one replaced by their files.
 #include "quadrangulate/triangulation_fans.hpp"
 #include "quadrangulate/triangulation_percolate.hpp"
-#include "quadrangulate/triangulation_q_percolation.hpp"
 
 namespace quadloom::quadrangulate {
 
@@ -10,7 +9,5 @@ namespace quadloom::quadrangulate {
 TriangleResult percolate_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
 
 TriangleResult fan_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
-
-TriangleResult q_percolate_triangulation(const TriangleMesh&, const TriangleOptions&) { missing(); }
 
 }  // namespace quadloom::quadrangulate

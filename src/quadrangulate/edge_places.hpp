@@ -8,7 +8,7 @@
 
 namespace quadloom::quadrangulate {
 
-struct BoundaryPlace {
+struct EdgePlace {
   Point place;
   double z = 0;
   SteinerKind kind = SteinerKind::kOnEdge;
@@ -17,18 +17,18 @@ struct BoundaryPlace {
 /// Gives boundary edges a Steiner point each, of the wished kind (kOutside or kOnEdge) or, where that
 /// has no double, of the other kind. On a surface in space it is the edge's midpoint as rounded. The
 /// mesh must outlive the object. See OuterPlaces for kOutside, point_on_segment for kOnEdge.
-class BoundaryPlaces {
+class EdgePlaces {
  public:
-  BoundaryPlaces(const TriangleMesh& input, OddBoundary wish) : input_(input), wish_(wish) {}
+  EdgePlaces(const TriangleMesh& input, OddBoundary wish) : input_(input), wish_(wish) {}
 
   /// The place for the boundary halfedge h, each asked for once at most. Throws as OuterPlaces.
-  std::optional<BoundaryPlace> place(HalfedgeId h);
+  std::optional<EdgePlace> place(HalfedgeId h);
 
   /// The same; throws Error kGuarantee naming the edge (culprits: its ends).
-  BoundaryPlace place_or_throw(HalfedgeId h);
+  EdgePlace place_or_throw(HalfedgeId h);
 
  private:
-  std::optional<BoundaryPlace> place_of_kind(HalfedgeId h, SteinerKind kind);
+  std::optional<EdgePlace> place_of_kind(HalfedgeId h, SteinerKind kind);
 
   const TriangleMesh& input_;
   OddBoundary wish_;

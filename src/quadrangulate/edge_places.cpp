@@ -1,5 +1,5 @@
 // Places at boundary edges, of the wished kind or the other.
-#include "quadrangulate/boundary_places.hpp"
+#include "quadrangulate/edge_places.hpp"
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace quadloom::quadrangulate {
 
-std::optional<BoundaryPlace> BoundaryPlaces::place_of_kind(HalfedgeId h, SteinerKind kind) {
+std::optional<EdgePlace> EdgePlaces::place_of_kind(HalfedgeId h, SteinerKind kind) {
   const Triangulation& mesh = input_.mesh;
   std::optional<Point> place;
   if (kind == SteinerKind::kOnEdge) {
@@ -18,17 +18,17 @@ std::optional<BoundaryPlace> BoundaryPlaces::place_of_kind(HalfedgeId h, Steiner
     place = outer_->place(h);
   }
   if (!place) return std::nullopt;
-  return BoundaryPlace{*place, 0, kind};
+  return EdgePlace{*place, 0, kind};
 }
 
-std::optional<BoundaryPlace> BoundaryPlaces::place(HalfedgeId h) {
+std::optional<EdgePlace> EdgePlaces::place(HalfedgeId h) {
   const Triangulation& mesh = input_.mesh;
   if (!input_.z.empty()) {
     const VertexId a = mesh.origin(h), b = mesh.target(h);
     const Point p = mesh.points[a], q = mesh.points[b];
-    return BoundaryPlace{{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2},
-                         input_.z[a] / 2 + input_.z[b] / 2,
-                         SteinerKind::kOnEdge};
+    return EdgePlace{{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2},
+                     input_.z[a] / 2 + input_.z[b] / 2,
+                     SteinerKind::kOnEdge};
   }
   for (const SteinerKind kind : kinds_by_wish(wish_)) {
     if (const auto found = place_of_kind(h, kind)) return found;
@@ -36,7 +36,7 @@ std::optional<BoundaryPlace> BoundaryPlaces::place(HalfedgeId h) {
   return std::nullopt;
 }
 
-BoundaryPlace BoundaryPlaces::place_or_throw(HalfedgeId h) {
+EdgePlace EdgePlaces::place_or_throw(HalfedgeId h) {
   if (const auto found = place(h)) return *found;
   const VertexId a = input_.mesh.origin(h), b = input_.mesh.target(h);
   throw Error(ErrorCode::kGuarantee,
