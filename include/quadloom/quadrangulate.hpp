@@ -127,9 +127,10 @@ enum class Leftover {
 
 /// Which pairs kPair may make.
 enum class PairKind {
-  kAuto,    ///< kConvex for Leftover::kWalk, else kAny
-  kConvex,  ///< strictly convex quads alone, as much shape as possible
-  kAny,     ///< as many pairs as possible (a perfect matching if there is one), then shape
+  kAuto,    ///< kAny; for Leftover::kWalk quads that are not strictly convex are parted again, for
+            ///< walks do better
+  kConvex,  ///< strictly convex quads alone, as many as possible, then weight
+  kAny,     ///< as many pairs as possible (a perfect matching if there is one), then weight
 };
 
 /// What the matching maximises.
@@ -147,7 +148,7 @@ struct TriangleOptions {
   Leftover leftover = Leftover::kWalk;              // all quads
   PairKind pairs = PairKind::kAuto;                 // see there
   PairWeight weight = PairWeight::kShape;           // what solvers want
-  MatchingEffort effort = MatchingEffort::kExact;   // as fast as the other in practice
+  MatchingEffort effort = MatchingEffort::kNear;    // 60% of the time for 1% of the weight
   double min_quality = 0;                           // no pair of a lesser quad_shape is made
   std::span<const double> halfedge_weight = {};     // kGiven: >= 0; the greater, the sooner gone
   OddBoundary odd_boundary = OddBoundary::kOnEdge;  // the shape of the region stays
@@ -161,6 +162,7 @@ struct TriangleStatistics {
   std::size_t parts = 0;           ///< of the source: connected without crossing edges to keep
   std::size_t odd_parts = 0;       ///< parts with an odd number of border edges
   std::size_t unmatched = 0;       ///< triangles left over by the matching
+  std::size_t parted = 0;          ///< pairs parted again, see PairKind::kAuto
   std::size_t walks = 0;           ///< walks that merged two of them
   std::size_t walk_steps = 0;      ///< pentagons re-cut by these walks
   std::size_t crossings = 0;       ///< quads crossed with an inner Steiner point each
@@ -178,8 +180,8 @@ struct TriangleResult {
   /// pentagons each source triangle goes to the face that took most of its sides over.
   std::vector<std::array<TriangleId, 2>> quad_source;
   std::vector<TriangleId> triangle_source;  ///< per left-over triangle
-  std::vector<TriangleId> barrier;          ///< PairKind::kAny: why no more pairs are possible, see
-                                            ///< MaximumMatching; empty if all are paired
+  std::vector<TriangleId> barrier;          ///< why no more pairs are possible, see
+                                            ///< MaximumMatching; empty if none is missing
   TriangleStatistics statistics;
 };
 

@@ -78,18 +78,17 @@ std::int32_t least_weight(const TriangleOptions& options) {
   if (options.min_quality > 0) {
     return 1 + static_cast<std::int32_t>(std::ceil(options.min_quality * kWeightScale));
   }
-  return pair_kind(options) == PairKind::kConvex ? 1 : 0;
+  return options.pairs == PairKind::kConvex ? 1 : 0;
 }
 
 /// The best matching of the graph, and for kNear how much of the weight it may lack.
 DualMatching best_matching(const DualGraph& graph, const Weights& weight,
                            const TriangleOptions& options, TriangleMatching& out) {
-  const MatchingGoal goal = pair_kind(options) == PairKind::kConvex ? MatchingGoal::kWeight
-                                                                    : MatchingGoal::kSizeThenWeight;
+  constexpr MatchingGoal kGoal = MatchingGoal::kSizeThenWeight;
   if (options.effort == MatchingEffort::kExact) {
-    return maximum_weight_matching(graph, weight, goal).matching;
+    return maximum_weight_matching(graph, weight, kGoal).matching;
   }
-  NearMaximumMatching near = near_maximum_weight_matching(graph, weight, goal);
+  NearMaximumMatching near = near_maximum_weight_matching(graph, weight, kGoal);
   if (near.upper_bound > near.weight) {
     out.weight_gap =
         static_cast<double>(near.upper_bound - near.weight) / static_cast<double>(near.upper_bound);
@@ -97,12 +96,19 @@ DualMatching best_matching(const DualGraph& graph, const Weights& weight,
   return std::move(near.matching);
 }
 
-}  // namespace
-
-PairKind pair_kind(const TriangleOptions& options) {
-  if (options.pairs != PairKind::kAuto) return options.pairs;
-  return options.leftover == Leftover::kWalk ? PairKind::kConvex : PairKind::kAny;
+/// Quads that are not strictly convex become triangles again, but for those that were given.
+void part_other_than_convex(const TriangleMesh& input, const Weights& shape,
+                            TriangleMatching& out) {
+  for (TriangleId t = 0; t < out.mate.size(); ++t) {
+    const HalfedgeId h = out.mate[t];
+    if (h == kNone || shape[h] > 0) continue;
+    out.mate[triangle_of(input.mesh.twin[h])] = kNone;
+    out.mate[t] = kNone;
+    ++out.parted;
+  }
 }
+
+}  // namespace
 
 TriangleMatching match_triangles(const TriangleMesh& input, const Triangulation& cut,
                                  const TriangleOptions& options) {
@@ -115,11 +121,12 @@ TriangleMatching match_triangles(const TriangleMesh& input, const Triangulation&
   const Weights weight = pair_weights(cut, shape, options);
   const DualGraph graph = heavy_edges(possible_pairs(input, cut), shape, least);
   DualMatching matching = best_matching(graph, weight, options, out);
-  if (pair_kind(options) == PairKind::kAny && matching.unmatched > 0) {
-    out.barrier = maximum_matching(graph, matching).barrier;
-  }
+  if (matching.unmatched > 0) out.barrier = maximum_matching(graph, matching).barrier;
   out.mate = std::move(matching.mate);
   out.unmatched = matching.unmatched;
+  if (options.pairs == PairKind::kAuto && options.leftover == Leftover::kWalk) {
+    part_other_than_convex(input, shape, out);
+  }
   return out;
 }
 

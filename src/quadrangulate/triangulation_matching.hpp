@@ -8,13 +8,11 @@ namespace quadloom::quadrangulate {
 
 struct TriangleMatching {
   std::vector<HalfedgeId> mate;     ///< given pairs included
-  std::vector<TriangleId> barrier;  ///< PairKind::kAny: see MaximumMatching
+  std::vector<TriangleId> barrier;  ///< see MaximumMatching
   std::size_t unmatched = 0;
-  double weight_gap = 0;  ///< kNear: at most this share of the weight is lost
+  std::size_t parted = 0;  ///< pairs that were parted again
+  double weight_gap = 0;   ///< kNear: at most this share of the weight is lost
 };
-
-/// What kAuto stands for.
-PairKind pair_kind(const TriangleOptions& options);
 
 /// Matches the triangles of `cut` (input.mesh without the twins of edges that must stay) as the options
 /// say. Throws Error kBadOption for weights that are missing, negative or not finite, and for a

@@ -139,6 +139,7 @@ TriangleResult pair_triangulation(const TriangleMesh& input, const TriangleOptio
   result.statistics.triangles = input.mesh.triangle_count();
   result.statistics.boundary_edges = border_size(input.mesh);
   result.statistics.unmatched = matching.unmatched;
+  result.statistics.parted = matching.parted;
   result.statistics.weight_gap = matching.weight_gap;
   return result;
 }
