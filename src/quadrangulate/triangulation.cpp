@@ -39,7 +39,13 @@ void check_given_pairs(const TriangleMesh& input) {
     const HalfedgeId h = input.given_pair[t];
     if (h == kNone) continue;
     const HalfedgeId twin = triangle_of(h) == t ? input.mesh.twin[h] : kNone;
-    if (twin != kNone && input.given_pair[triangle_of(twin)] == twin) continue;
+    if (twin != kNone && input.given_pair[triangle_of(twin)] == twin) {
+      if (input.region.empty() || input.region[t] == input.region[triangle_of(twin)]) continue;
+      throw Error(ErrorCode::kBadMesh,
+                  "the halves of a quad, triangles " + std::to_string(t) + " and " +
+                      std::to_string(triangle_of(twin)) + ", are in two regions",
+                  {t, triangle_of(twin)});
+    }
     throw Error(ErrorCode::kBadMesh,
                 "the quad of triangle " + std::to_string(t) + " has no other half", {t});
   }
