@@ -12,12 +12,13 @@ namespace {
 
 using namespace generate;
 
-constexpr std::array<PolygonGenerator, 5> kPolygons = {{
+constexpr std::array<PolygonGenerator, 6> kPolygons = {{
     {"star", "corners in random directions and distances around a point", 4, make_star_polygon},
     {"two-opt", "random corners in a random order, untangled", 3, make_two_opt_polygon},
     {"comb", "thin teeth on a bar", 5, make_comb_polygon},
     {"spiral", "a corridor that winds around its end", 4, make_spiral_polygon},
     {"rectilinear", "unit cells grown at random", 4, make_rectilinear_polygon},
+    {"fisk", "one triangulation, which needs n / 3 outer Steiner points", 3, make_fisk_polygon},
 }};
 
 const PolygonGenerator& find_polygon_generator(std::string_view kind) {

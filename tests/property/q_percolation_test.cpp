@@ -8,6 +8,7 @@
 
 #include "kernel/chart.hpp"
 #include "quadloom/quadloom.hpp"
+#include "support/all_triangulations.hpp"
 #include "support/tree_checks.hpp"
 
 namespace quadloom {
@@ -78,18 +79,6 @@ TEST(QPercolation, EveryMagnitude) {
       if (HasFailure()) return;
     }
   }
-}
-
-/// Connects triangles given by their corners.
-Triangulation connected(std::vector<Point> points, std::vector<VertexId> corners) {
-  Triangulation mesh{std::move(points), std::move(corners), {}};
-  mesh.twin.assign(mesh.tri_vertex.size(), kNone);
-  for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
-    for (HalfedgeId g = 0; g < mesh.twin.size(); ++g) {
-      if (mesh.origin(h) == mesh.target(g) && mesh.target(h) == mesh.origin(g)) mesh.twin[h] = g;
-    }
-  }
-  return mesh;
 }
 
 Polygon outline_of(const Triangulation& mesh) {
