@@ -62,7 +62,9 @@ SourceMesh connect(io::MeshFile file, const MeshReading& reading) {
     source.lines.push_back({connected.input_to_vertex[s.from], connected.input_to_vertex[s.to]});
   }
   source.face_data = std::move(file.face_data);
-  const bool as_given = merged == 0 && connected.turned_faces == 0 && connected.flat_faces == 0;
+  const bool as_given = merged == 0 && connected.turned_faces == 0 && connected.flat_faces == 0 &&
+                        connected.triangles.mesh.triangle_count() ==  // no quad that is a triangle
+                            file.mesh.face_vertex.size() - 2 * file.mesh.face_count();
   source.faces = as_given ? std::move(file.mesh) : to_polygon_mesh(connected.triangles.mesh);
   source.space = connected.space;
   source.components = connected.components;
