@@ -312,5 +312,47 @@ TEST(CertifySurface, RefusesSourcesThatAreNone) {
   EXPECT_EQ(certify_surface(PolygonMesh{}, {}, s.mesh, s.z).fault, Fault::kNoFaces);
 }
 
+TEST(CertifySurface, RandomFaces) {
+  // Nothing but a verdict or a refusal of the source; a mesh is always its own source.
+  std::size_t judged = 0, good = 0;
+  for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto random_surface = [&] {
+      test::Surface out;
+      const std::size_t vertices = 3 + random.below(4), faces = 1 + random.below(3);
+      for (std::size_t v = 0; v < vertices; ++v) {
+        const auto i = static_cast<double>(v);
+        out.add_vertex(i, i * i, static_cast<double>(random.below(2)));
+      }
+      for (std::size_t f = 0; f < faces; ++f) {
+        std::array<VertexId, 3> corners{};
+        for (VertexId& v : corners) v = static_cast<VertexId>(random.below(vertices));
+        out.mesh.add_face(corners);
+      }
+      return out;
+    };
+    const test::Surface mesh = random_surface(), other = random_surface();
+    const CertifyOptions options{.corners = 3, .outer_steiner = random.below(2) == 0};
+    for (const test::Surface* from : {&mesh, &other}) {
+      const test::Surface& source = *from;
+      try {
+        const Certificate verdict =
+            certify_surface(mesh.mesh, mesh.z, source.mesh, source.z, options);
+        ++judged;
+        good += verdict.ok() ? 1 : 0;
+        ASSERT_EQ(verdict.ok(), verdict.sentence.empty());
+        if (from == &mesh) {
+          ASSERT_TRUE(verdict.ok() || verdict.fault == Fault::kRepeatedCorner) << verdict.sentence;
+        }
+      } catch (const Error& error) {
+        ASSERT_EQ(error.code(), ErrorCode::kBadMesh) << error.what();
+      }
+    }
+  }
+  EXPECT_GT(judged, 10000U);
+  EXPECT_GT(good, 1000U);
+}
+
 }  // namespace
 }  // namespace quadloom
