@@ -2,8 +2,9 @@
 //
 // A place exactly on the edge is found by a complete search (kernel/point_on_segment.hpp). About half of
 // the edges between arbitrary doubles have none; then places outside are tried, from the midpoint as
-// rounded on by doublings of one unit in the last place. outer_places.hpp, with exact predicates alone,
-// tells whether one is outside and whether what lies beyond the edge is far enough.
+// rounded on by doublings of one unit in the last place, then likewise at other eighths of the edge.
+// outer_places.hpp, with exact predicates alone, tells whether one is outside and whether what lies
+// beyond the edge is far enough.
 //
 //      a ------. m ----- b        the region is above; the dent is a unit in the last place deep
 //
@@ -54,14 +55,16 @@ Point OutlinePlaces::place_of(HalfedgeId h) {
 
 std::optional<Point> OutlinePlaces::place_outside(HalfedgeId h) {
   const Point a = mesh_.points[mesh_.origin(h)], b = mesh_.points[mesh_.target(h)];
-  const Point middle = along_edge(a, b, 4);
-  Point place = middle;
-  for (int step = 0; step <= kNudges; ++step) {
-    if (outside().allows(h, place)) {
-      outside().take(h, place);
-      return place;
+  for (const int eighths : {4, 3, 5, 2, 6}) {
+    const Point middle = along_edge(a, b, eighths);
+    Point place = middle;
+    for (int step = 0; step <= kNudges; ++step) {
+      if (outside().allows(h, place)) {
+        outside().take(h, place);
+        return place;
+      }
+      place = nudged_right(middle, a, b, step);
     }
-    place = nudged_right(middle, a, b, step);
   }
   return std::nullopt;
 }

@@ -208,6 +208,38 @@ TEST(SubdivideMesh, ThinGapsStayOpen) {
   EXPECT_LT(refused, 20);
 }
 
+// A hole of some units in the last place, all three sides of which may need a point in it: they must
+// not cross.
+TEST(SubdivideMesh, TinyHolesStayOpen) {
+  int refused = 0, several = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double unit = 0x1p-52, size = std::ldexp(unit, 2 + static_cast<int>(seed % 5));
+    const auto near = [&] {
+      return Point{1.5 + unit * std::floor(size / unit * random.uniform()),
+                   1.5 + unit * std::floor(size / unit * random.uniform())};
+    };
+    const std::vector<Point> hole = {near(), near(), near()};
+    if (orient2d(hole[0], hole[1], hole[2]) == 0) continue;
+    const std::vector<Polygon> polygons = {{{{{1, 1}, {2, 1}, {2, 2}, {1, 2}}, hole}}};
+    try {
+      const PlanarResult result = subdivide(polygons);
+      const Certificate verdict =
+          certify_polygons(to_polygon_mesh(result.quads.mesh), polygons, {}, kWanted);
+      ASSERT_TRUE(verdict.ok()) << verdict.sentence;
+      several += std::ranges::count_if(result.quads.steiner, [](const SteinerPoint& s) {
+                   return s.kind == SteinerKind::kOutside;
+                 }) > 1;
+    } catch (const Error& error) {
+      ++refused;
+      ASSERT_EQ(error.code(), ErrorCode::kGuarantee) << error.what();
+    }
+  }
+  EXPECT_GT(several, 50);
+  EXPECT_LT(refused, 200);
+}
+
 // ---- Meshes with given quads, regions and edges to keep. ----
 
 /// Delaunay triangles of which some pairs are given quads, convex or not.
