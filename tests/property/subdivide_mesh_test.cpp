@@ -445,6 +445,9 @@ void expect_surface(const TriangleMesh& source, const TriangleResult& result,
     return !edges.contains({e.second, e.first});
   }));
   ASSERT_EQ(open, 2 * result.statistics.boundary_edges);
+  const Certificate verdict = certify_surface(mesh, result.z, to_polygon_mesh(source.mesh),
+                                              source.z, {.outer_steiner = true});
+  ASSERT_TRUE(verdict.ok()) << verdict.sentence;
 }
 
 struct Place3 {
