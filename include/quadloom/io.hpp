@@ -55,9 +55,9 @@ struct MeshFile {
 /// without the dot, "msh22" (.msh is 4.1) or "vtu-ascii" (.vtu has base64). Coordinates read back
 /// bit for bit (-0.0 as 0). Written to a temporary name beside the target, then renamed; "-" is
 /// standard output (needs `format`). What a format cannot hold is left out: vertex data in .obj,
-/// .off and .geojson, face data in .obj and .off, edges in all but .msh, unused vertices in .geojson. Throws
-/// Error kFile; kBadOption (unknown format, faces that .msh cannot hold); kIndexOutOfRange,
-/// kNotFinite, kBadMesh for a mesh that no file should hold.
+/// .off and .geojson, face data in .obj and .off, edges in .off, .ply and .geojson, unused vertices
+/// in .geojson. Throws Error kFile; kBadOption (unknown format, faces that .msh cannot hold);
+/// kIndexOutOfRange, kNotFinite, kBadMesh for a mesh that no file should hold.
 void write_mesh(const std::string& path, const MeshFile& mesh, const std::string& format = {});
 
 /// Throws the Error kBadOption that write_mesh would throw for that name and format (unknown, or only

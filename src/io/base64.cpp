@@ -39,13 +39,12 @@ std::string to_base64(std::string_view bytes) {
   return out;
 }
 
-bool from_base64(std::string_view text, std::string& out) {
-  out.clear();
-  out.reserve(text.size() / 4 * 3 + 3);
+bool from_base64(std::string_view& text, std::size_t enough, std::string& out) {
   std::uint32_t group = 0;
   int letters = 0, padding = 0;
-  for (const char c : text) {
-    const std::uint8_t value = kValues[static_cast<unsigned char>(c)];
+  std::size_t read = 0;
+  while (read < text.size() && (out.size() < enough || letters > 0)) {
+    const std::uint8_t value = kValues[static_cast<unsigned char>(text[read++])];
     if (value == kBlank) continue;
     if (value == kWrong || (padding > 0 && value != kPadding)) return false;
     if (value == kPadding && (letters < 2 || ++padding + letters > 4)) return false;
@@ -59,7 +58,14 @@ bool from_base64(std::string_view text, std::string& out) {
     group = 0;
     letters = padding = 0;
   }
+  text.remove_prefix(read);
   return letters == 0;
+}
+
+bool from_base64(std::string_view text, std::string& out) {
+  out.clear();
+  out.reserve(text.size() / 4 * 3 + 3);
+  return from_base64(text, std::string_view::npos, out);
 }
 
 }  // namespace quadloom::io

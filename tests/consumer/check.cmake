@@ -15,7 +15,7 @@ if(MODE STREQUAL "installed")
 else()
   list(APPEND options -DCONSUMER_EMBEDS=${SOURCE})
   # What the core library must do without.
-  foreach(package fmt nlohmann_json pugixml PkgConfig CLI11 GTest)
+  foreach(package fmt nlohmann_json pugixml ZLIB PkgConfig CLI11 GTest)
     list(APPEND options -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
   endforeach()
 endif()

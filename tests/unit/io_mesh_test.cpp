@@ -178,6 +178,32 @@ TEST(ReadObj, WhatOthersWrite) {
   }
 }
 
+TEST(ReadObj, LinesGroupsAndMaterials) {
+  const auto file =
+      read("obj",
+           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nl 1 2 -2 \\\n 5/7\nl 1 1\nf 1 2 3\ng a b\n"
+           "f 1 3 4\nusemtl stone\ng\nf 1 2 4\ng a b\nf 2 3 4\nv 2 2 0\n");
+  ASSERT_EQ(file.edges.size(), 3U);
+  const std::array<std::array<VertexId, 2>, 3> expected = {{{0, 1}, {1, 2}, {2, 4}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ((std::array{file.edges[i].from, file.edges[i].to}), expected[i]);
+  }
+  expect_same_data({{"group", {0, 1, 0, 1}}, {"material", {0, 0, 1, 1}}}, file.face_data);
+}
+
+TEST_P(EveryMeshFormat, KeepsTheEdgesItCan) {
+  auto file = hard_mesh();
+  file.edges = {{2, 1}, {5, 0}, {2, 1}};
+  const auto back = there_and_back(file);
+  expect_same_mesh(file, back);
+  const bool kept = format() == "obj" || format().starts_with("msh") || format().starts_with("vtu");
+  ASSERT_EQ(back.edges.size(), kept ? file.edges.size() : 0);
+  for (std::size_t i = 0; i < back.edges.size(); ++i) {
+    EXPECT_EQ(back.edges[i].from, file.edges[i].from);
+    EXPECT_EQ(back.edges[i].to, file.edges[i].to);
+  }
+}
+
 TEST(ReadOff, WhatOthersWrite) {
   for (const char* text :
        {"OFF\n4 1 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n",
@@ -334,6 +360,13 @@ TEST(BadMeshes, Obj) {
             kRange,
             {0, 9223372036854775806U}},
            {"obj", "v 0 0\nf 1 1 9223372036854775808\n", "is no vertex", kParse, {2}},
+           {"obj", "v 0 0\nl 1\n", "line 2: a line of 1 vertices", kParse, {2}},
+           {"obj", "v 0 0\nl 1 x\n", "'x' is no vertex of a line", kParse, {2}},
+           {"obj",
+            "v 0 0\n\nl 1 2\n",
+            "line 3: edge 1 names vertex 2, there are 1",
+            kRange,
+            {0, 1}},
            {"obj", "hello world\n", "'hello' starts no line", kParse, {1}},
            {"obj", "v 0 0\nf 1 2 \\", "a face of 2 corners", kParse, {2}}}) {
     expect_fault(bad);
@@ -441,7 +474,8 @@ TEST(BadMeshes, Vtu) {
            {"vtu", "<a>\n<b>\n</a>", "no well-formed XML", kParse, {3}},
            {"vtu", "<a/>", "no element VTKFile"},
            {"vtu", replaced("UnstructuredGrid", "PolyData"), "of type 'PolyData'"},
-           {"vtu", vtu(cells, "compressor=\"vtkZLibDataCompressor\""), "compressed data"},
+           {"vtu", vtu(binary + "AAAA</DataArray>" + cells, "compressor=\"vtkLZ4DataCompressor\""),
+            "'connectivity' is compressed by 'vtkLZ4DataCompressor'; only vtkZLibDataCompressor"},
            {"vtu", "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid/></VTKFile>",
             "no element Piece"},
            {"vtu", replaced("NumberOfPoints=\"4\"", ""), "no NumberOfPoints"},
@@ -467,10 +501,11 @@ TEST(BadMeshes, Vtu) {
            {"vtu", vtu(cell_arrays("0 1 2 3", "4", "12")), "cell 0 has the type 12"},
            {"vtu", vtu(cell_arrays("0 1 2 3", "0", "7")), "a face of 0 corners"},
            {"vtu", vtu(binary + "!!!!</DataArray>" + cells), "'connectivity' is no base64"},
-           {"vtu", vtu(binary + "AAA=</DataArray>" + cells), "'connectivity' is no base64"},
+           {"vtu", vtu(binary + "AAA=</DataArray>" + cells), "has 2 bytes, its header needs 4"},
            {"vtu", vtu(binary + "/////wAAAAA=</DataArray>" + cells),
-            "has 4 bytes, its header says 4294967295"},
-           {"vtu", replaced("\"ascii\"", "\"appended\""), "in the format 'appended'"},
+            "'connectivity' has a header that says 4294967295 bytes"},
+           {"vtu", replaced("\"ascii\"", "\"appended\""), "'' has no offset into"},
+           {"vtu", replaced("\"ascii\"", "\"xml\""), "has the format 'xml', only ascii"},
            {"vtu",
             vtu("<DataArray type=\"String\" Name=\"connectivity\" "
                 "format=\"binary\">AAAA</DataArray>"),
