@@ -7,11 +7,9 @@
 // n / 3 for a simple polygon of n corners.
 //
 // Steps:
-//   1. match_tree      theorem 3.2, in O(n), if the dual is a forest
-//   2. match_borders   otherwise, and where leaves have no boundary edge: a maximum-weight matching of the
-//                      dual with one more node for each boundary edge; the pairs weigh 2 k, a triangle and
-//                      its boundary edge k - 1. With k more than the number of triangles the weight counts
-//                      the triangles that are covered first, then the points.
+//   1. match_tree           theorem 3.2, in O(n), if the dual is a forest
+//   2. match_inside_first   otherwise, and where leaves have no boundary edge: a maximum matching in which
+//                           what stays over has boundary edges, if there is one (boundary_matching.hpp)
 //   3. add_outer_points
 //
 //      \  /|              The triangle a, b, c that stays over and the point s outside its boundary
@@ -28,12 +26,13 @@
 // Error. Cost: O(n) for step 1, the matching's for step 2, and O(b log b) for b boundary edges.
 #include "quadrangulate/triangulation_percolate.hpp"
 
-#include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 
-#include "kernel/chart.hpp"
 #include "quadloom/dual.hpp"
 #include "quadrangulate/border_edges.hpp"
+#include "quadrangulate/boundary_matching.hpp"
 #include "quadrangulate/mesh_parts.hpp"
 #include "quadrangulate/outer_places.hpp"
 #include "quadrangulate/quad_collector.hpp"
@@ -56,7 +55,7 @@ class Percolation {
     out_.statistics().parts = parts.count();
     out_.statistics().odd_parts = parts.odd_count();
     report_progress(options_.progress, "pairing", 0);
-    if (!is_forest(cut_, parts) || !match_tree()) match_borders();
+    if (!is_forest(cut_, parts) || !match_tree()) match_inside_first();
     out_.statistics().unmatched = matching_.unmatched;
     report_progress(options_.progress, "outer points", 0);
     add_outer_points();
@@ -65,7 +64,7 @@ class Percolation {
 
  private:
   bool match_tree();
-  void match_borders();
+  void match_inside_first();
   void add_outer_points();
   bool has_boundary_edge(TriangleId t) const {
     const auto& twin = input_.mesh.twin;
@@ -88,37 +87,18 @@ bool Percolation::match_tree() {
   return true;
 }
 
-void Percolation::match_borders() {
-  const auto triangles = static_cast<TriangleId>(cut_.triangle_count());
-  DualGraph graph = dual_graph(cut_);
-  const std::vector<HalfedgeId> boundary = boundary_edges(input_.mesh);
-  graph.twin.resize(3 * (std::size_t{triangles} + boundary.size()), kNone);
-  if (graph.twin.size() >= kNone) {
-    throw Error(ErrorCode::kTooManyPoints, "too many triangles for 32-bit indices");
-  }
-  const auto k = static_cast<std::int32_t>(std::min<std::size_t>(triangles, 0x3ffffffe) + 1);
-  std::vector<std::int32_t> weight(graph.twin.size(), 2 * k);
-  for (std::size_t i = 0; i < boundary.size(); ++i) {
-    const auto node = static_cast<TriangleId>(triangles + i);
-    graph.twin[boundary[i]] = 3 * node;
-    graph.twin[3 * node] = boundary[i];
-    weight[boundary[i]] = weight[3 * node] = k - 1;
-  }
-  const DualMatching all = maximum_weight_matching(graph, weight, MatchingGoal::kWeight).matching;
-  matching_ = {std::vector<HalfedgeId>(triangles, kNone), 0};
-  for (TriangleId t = 0; t < triangles; ++t) {
-    if (all.mate[t] == kNone) {
-      throw Error(ErrorCode::kGuarantee,
-                  "triangle " + std::to_string(t) +
-                      " stays over whatever is paired, and no boundary edge is near enough for an "
-                      "outer Steiner point to help",
-                  {t});
-    }
-    if (graph.across(all.mate[t]) < triangles) {
-      matching_.mate[t] = all.mate[t];
-    } else {
-      ++matching_.unmatched;
-    }
+void Percolation::match_inside_first() {
+  std::vector<std::uint8_t> may_stay(cut_.triangle_count());
+  for (TriangleId t = 0; t < may_stay.size(); ++t) may_stay[t] = has_boundary_edge(t) ? 1 : 0;
+  matching_ = matching_inside_first(dual_graph(cut_), may_stay);
+  for (TriangleId t = 0; t < may_stay.size(); ++t) {
+    if (matching_.mate[t] != kNone || may_stay[t] != 0) continue;
+    throw Error(
+        ErrorCode::kGuarantee,
+        "triangle " + std::to_string(t) +
+            " stays over whatever is paired, or another one inside does: no boundary edge is "
+            "near enough for an outer Steiner point to help",
+        {t});
   }
 }
 

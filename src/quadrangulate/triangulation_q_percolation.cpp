@@ -14,9 +14,10 @@
 // spoil of the second line.
 //
 // Steps:
-//   1. grow_forest   a spanning tree of each part, that has a maximum matching of the dual in it
+//   1. grow_forest   a spanning tree of each part, that has a maximum matching of the dual in it; what
+//                    that leaves over is at the boundary if possible
 //   2. root_trees    an odd tree at a triangle with a boundary edge that has a place for a Steiner
-//                    point, any other at a triangle with one tree edge
+//                    point, left over if possible; any other at a triangle with one tree edge
 //   3. percolate     from the leaves upwards, each triangle p = a, b, c, where a b is the edge to its
 //                    parent, with what its children were left as (nothing, a leaf, or a fork: a
 //                    triangle with two leaves):
@@ -56,7 +57,8 @@
 //
 // What differs from the paper: one order from the leaves to the root in place of levels; the spanning
 // tree has a maximum matching in it, so that a triangulation whose dual has a perfect matching gets no
-// point at all (in a tree with one, no triangle ever has two leaves); the odd point may lie on
+// point at all (in a tree with one, no triangle ever has two leaves), and an odd one that has one but for
+// a triangle at the boundary gets one point; the odd point may lie on
 // the boundary; the root may have two children, whose leaves share the odd point.
 //
 // On a surface in space s is sought in the chart of the star's triangles and lies on one of them;
@@ -68,11 +70,13 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "kernel/chart.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "quadloom/dual.hpp"
+#include "quadrangulate/boundary_matching.hpp"
 #include "quadrangulate/edge_places.hpp"
 #include "quadrangulate/mesh_parts.hpp"
 #include "quadrangulate/place_in_kernel.hpp"
@@ -134,7 +138,12 @@ class QPercolation {
   void percolate();
   void close_roots();
 
+  /// Whether a border edge may be the base of an odd part's root.
+  bool may_be_split(HalfedgeId h) const {
+    return options_.odd_boundary == OddBoundary::kTriangle || mesh_.twin[h] == kNone;
+  }
   Root choose_root(std::span<const TriangleId> tree);
+  HalfedgeId only_one_left(std::span<const TriangleId> tree) const;
   Root odd_root(std::span<const TriangleId> tree);
   void append_tree(const Root& root);
   void reduce(TriangleId p, bool may_stay_fork);
@@ -158,6 +167,7 @@ class QPercolation {
   kernel::Places places_;
   EdgePlaces boundary_;
   QuadCollector out_;
+  DualMatching matching_;
   DualGraph forest_;
   std::vector<Root> roots_;
   std::vector<TriangleId> order_;  // parents before children
@@ -210,9 +220,13 @@ void QPercolation::grow_forest() {
     if (twin != kNone && cut.apex(h) == cut.apex(twin)) cut.twin[h] = cut.twin[twin] = kNone;
   }
   const DualGraph graph = dual_graph(cut);
-  const DualMatching matching = maximum_matching(graph).matching;
-  out_.statistics().unmatched = matching.unmatched;
-  forest_ = forest_with(graph, matching);
+  std::vector<std::uint8_t> may_stay(graph.node_count());
+  for (HalfedgeId h = 0; h < graph.twin.size(); ++h) {
+    if (may_be_split(h) && graph.twin[h] == kNone) may_stay[triangle_of(h)] = 1;
+  }
+  matching_ = matching_inside_first(graph, may_stay);
+  out_.statistics().unmatched = matching_.unmatched;
+  forest_ = forest_with(graph, matching_);
 }
 
 void QPercolation::root_trees() {
@@ -244,6 +258,7 @@ Root QPercolation::choose_root(std::span<const TriangleId> tree) {
   if (tree.size() % 2 == 1) {
     ++out_.statistics().odd_parts;
     if (options_.odd_boundary != OddBoundary::kTriangle) return odd_root(tree);
+    if (const HalfedgeId h = only_one_left(tree); h != kNone) return {triangle_of(h), h, {}};
   }
   for (const TriangleId t : tree) {
     HalfedgeId alone = kNone;
@@ -259,18 +274,42 @@ Root QPercolation::choose_root(std::span<const TriangleId> tree) {
   throw Error(ErrorCode::kBadMesh, "a spanning tree without a leaf", {tree[0]});
 }
 
-/// At the longest boundary edge that has a place.
+/// An edge without tree edge of the triangle that the matching leaves over, if it is the only one.
+HalfedgeId QPercolation::only_one_left(std::span<const TriangleId> tree) const {
+  HalfedgeId found = kNone;
+  for (const TriangleId t : tree) {
+    if (matching_.mate[t] != kNone) continue;
+    if (found != kNone) return kNone;
+    for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
+      if (forest_.twin[h] == kNone) found = h;
+    }
+    if (found == kNone) return kNone;
+  }
+  return found;
+}
+
+/// At a boundary edge that has a place: one of a triangle that the matching leaves over if possible, the
+/// longest of these.
 Root QPercolation::odd_root(std::span<const TriangleId> tree) {
-  std::vector<std::pair<double, HalfedgeId>> edges;
+  struct Edge {
+    bool is_matched;
+    double minus_length;
+    HalfedgeId halfedge;
+  };
+  std::vector<Edge> edges;
   for (const TriangleId t : tree) {
     for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
-      if (mesh_.twin[h] != kNone) continue;
+      if (!may_be_split(h)) continue;
       const Vector3 along = places_.at(mesh_.target(h)) - places_.at(mesh_.origin(h));
-      edges.push_back({-dot(along, along), h});
+      edges.push_back({matching_.mate[t] != kNone, -dot(along, along), h});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  for (const auto& [length, h] : edges) {
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.is_matched, a.minus_length, a.halfedge) <
+           std::tie(b.is_matched, b.minus_length, b.halfedge);
+  });
+  for (const Edge& edge : edges) {
+    const HalfedgeId h = edge.halfedge;
     if (auto place = boundary_.place(h)) return {triangle_of(h), h, place};
   }
   throw Error(ErrorCode::kGuarantee,

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <string>
-#include <utility>
 
 #include "kernel/chart.hpp"
 #include "quadloom/quadloom.hpp"
@@ -192,6 +190,7 @@ TEST(QPercolation, AnOddPartWithoutBoundary) {
 }
 
 TEST(QPercolation, PointSetsWithAPerfectMatchingNeedNoPoint) {
+  std::size_t perfect = 0;
   for (const Generator& g : generators()) {
     SCOPED_TRACE(std::string(g.name) + " 300, seed 5");
     const std::vector<Point> points = generate_points(g.name, 300, 5);
@@ -200,13 +199,15 @@ TEST(QPercolation, PointSetsWithAPerfectMatchingNeedNoPoint) {
       TriangleOptions options;
       options.method = method;
       const TriangleResult result = convert_checked({mesh, {}, {}, {}, {}}, {}, options);
-      if (result.statistics.unmatched == 0) {
-        EXPECT_EQ(result.steiner.size(), 0U);
+      if (result.statistics.unmatched < 2) {
+        ++perfect;
+        EXPECT_EQ(result.steiner.size(), mesh.triangle_count() % 2);
       }
       if (HasFailure()) return;
       EXPECT_LE(result.steiner.size(), mesh.triangle_count() / 2);
     }
   }
+  EXPECT_GT(perfect, 20U);
 }
 
 /// A torus of 2 x rows x columns triangles in space, with edges to keep at random.
@@ -244,22 +245,12 @@ TEST(QPercolation, SurfacesInSpace) {
       EXPECT_EQ(result.mesh.triangle_count(), result.statistics.odd_parts);
       EXPECT_EQ(result.z.size(), result.mesh.points.size());
       check_sources(torus, result);
-      // Closed, every edge once on either side, and still a torus.
-      const PolygonMesh faces = to_polygon_mesh(result.mesh);
-      std::set<std::pair<VertexId, VertexId>> edges;
-      for (std::size_t f = 0; f < faces.face_count(); ++f) {
-        for (std::size_t i = 0; i < faces.face(f).size(); ++i) {
-          const VertexId a = faces.face(f)[i], b = faces.face(f)[(i + 1) % faces.face(f).size()];
-          ASSERT_TRUE(a != b && edges.insert({a, b}).second);
-        }
-      }
-      for (const auto& [a, b] : edges) ASSERT_TRUE(edges.contains({b, a}));
-      EXPECT_EQ(faces.points.size() + faces.face_count(), edges.size() / 2);
-      // What is to be kept is an edge still.
-      for (HalfedgeId h = 0; h < torus.keep.size(); ++h) {
-        if (torus.keep[h] == 0) continue;
-        EXPECT_TRUE(edges.contains({torus.mesh.origin(h), torus.mesh.target(h)}));
-      }
+      check_kept_edges(torus, result);
+      CertifyOptions wanted;
+      wanted.triangles_allowed = result.mesh.triangle_count();
+      const Certificate certificate = certify_surface(to_polygon_mesh(result.mesh), result.z,
+                                                      to_polygon_mesh(torus.mesh), torus.z, wanted);
+      ASSERT_TRUE(certificate.ok()) << certificate.sentence;
       // Steiner points are in the plane of their parents, up to rounding.
       for (const SteinerPoint& s : result.steiner) {
         const kernel::Places places{result.mesh.points, result.z};
