@@ -62,8 +62,14 @@ void print_table(const Quality& q) {
   print_angles(q);
 }
 
+// A surface is measured in space; heights and depths over the plane are data.
+Quality measure(const io::MeshFile& file) {
+  const bool surface = !file.z_is_data && space_of(file.mesh, file.z) == Space::kSurface;
+  return surface ? measure_quality(file.mesh, file.z) : measure_quality(file.mesh);
+}
+
 int quality(const QualityVerbOptions& o) {
-  const Quality q = measure_quality(io::read_mesh(o.mesh, o.format).mesh);
+  const Quality q = measure(io::read_mesh(o.mesh, o.format));
   if (o.json) {
     fmt::print("{}\n", quality_json(q).dump(2));
   } else {

@@ -83,6 +83,10 @@ enum class Space {
   kSurface,  ///< a surface in space: shapes are measured in space
 };
 
+/// What kAuto takes a mesh of any faces for. `z` is empty or one a vertex. Throws Error kBadMesh if
+/// sizes do not agree. O(n log n).
+Space space_of(const PolygonMesh& mesh, std::span<const double> z);
+
 /// What to do with faces that turn the other way than their neighbours, and faces without area.
 enum class FaultyFaces { kRepair, kRefuse };
 

@@ -5,6 +5,7 @@
 
 #include "kernel/connect_steps.hpp"
 #include "kernel/predicates_inline.hpp"
+#include "kernel/ring_direction.hpp"
 
 namespace quadloom::kernel {
 namespace {
@@ -12,6 +13,12 @@ namespace {
 /// The turn of a face seen from above: 0 if it has none, or is not simple.
 int turn_from_above(const PolygonMesh& mesh, std::size_t face) {
   const auto corner = mesh.face(face);
+  if (corner.size() < 3) return 0;
+  if (corner.size() > 4) {
+    std::vector<Point> ring;
+    for (const VertexId v : corner) ring.push_back(mesh.points[v]);
+    return goes_counter_clockwise(ring) ? 1 : -1;
+  }
   const auto at = [&](std::size_t i) { return mesh.points[corner[i]]; };
   if (corner.size() == 3) return orient(at(0), at(1), at(2));
   for (std::size_t i = 0; i < 4; ++i) {  // a triangle, written as a quad
@@ -31,10 +38,10 @@ bool turns_one_way(const PolygonMesh& mesh) {
 
 /// For each vertex of a face that is not the first one at its place: visit(that one, vertex).
 template <class Visit>
-void for_each_repeated(const Connecting& work, Visit visit) {
-  std::vector<std::uint8_t> used(work.input.points.size(), 0);
-  for (const VertexId v : work.input.face_vertex) used[v] = 1;
-  const std::vector<VertexId> first = first_at_place({work.input.points, {}});
+void for_each_repeated(const PolygonMesh& mesh, Visit visit) {
+  std::vector<std::uint8_t> used(mesh.points.size(), 0);
+  for (const VertexId v : mesh.face_vertex) used[v] = 1;
+  const std::vector<VertexId> first = first_at_place({mesh.points, {}});
   std::vector<VertexId> first_used(first.size(), kNone);
   for (VertexId v = 0; v < first.size(); ++v) {
     if (used[v] == 0) continue;
@@ -47,14 +54,14 @@ void for_each_repeated(const Connecting& work, Visit visit) {
   }
 }
 
-bool has_stacked_vertices(const Connecting& work) {
+bool has_stacked_vertices(const PolygonMesh& mesh, std::span<const double> z) {
   bool stacked = false;
-  for_each_repeated(work, [&](VertexId a, VertexId b) { stacked |= work.z[a] != work.z[b]; });
+  for_each_repeated(mesh, [&](VertexId a, VertexId b) { stacked |= z[a] != z[b]; });
   return stacked;
 }
 
 void refuse_repeated(const Connecting& work) {
-  for_each_repeated(work, [&](VertexId a, VertexId b) {
+  for_each_repeated(work.input, [&](VertexId a, VertexId b) {
     throw Error(ErrorCode::kBadMesh,
                 "vertices " + std::to_string(a) + " and " + std::to_string(b) +
                     " are at the same place; merging equal vertices may help",
@@ -103,12 +110,8 @@ std::vector<VertexId> first_at_place(const Places& places) {
 }
 
 void decide_space(Connecting& work) {
-  work.out.space = work.options.space;
-  if (work.options.space != Space::kAuto) return;
-  const bool level =
-      std::ranges::adjacent_find(work.z, std::ranges::not_equal_to{}) == work.z.end();
-  const bool plane = level || (turns_one_way(work.input) && !has_stacked_vertices(work));
-  work.out.space = plane ? Space::kPlane : Space::kSurface;
+  const Space asked = work.options.space;
+  work.out.space = asked == Space::kAuto ? space_of(work.input, work.z) : asked;
 }
 
 void place_vertices(Connecting& work) {
@@ -127,3 +130,18 @@ void place_vertices(Connecting& work) {
 }
 
 }  // namespace quadloom::kernel
+
+namespace quadloom {
+
+Space space_of(const PolygonMesh& mesh, std::span<const double> z) {
+  const bool level = std::ranges::adjacent_find(z, std::ranges::not_equal_to{}) == z.end();
+  if (level) return Space::kPlane;
+  if (z.size() != mesh.points.size() ||
+      std::ranges::any_of(mesh.face_vertex, [&](VertexId v) { return v >= z.size(); })) {
+    throw Error(ErrorCode::kBadMesh, "heights or corners that do not fit the vertices");
+  }
+  return kernel::turns_one_way(mesh) && !kernel::has_stacked_vertices(mesh, z) ? Space::kPlane
+                                                                               : Space::kSurface;
+}
+
+}  // namespace quadloom

@@ -75,6 +75,16 @@ class Quality(CommandLine):
         self.assertIn("2 quads, 0 triangles", text)
         self.assertIn("90.000 to 90.000", text)
 
+    def test_surfaces_are_measured_in_space(self):
+        # A unit square that stands upright, then a mesh with heights as data.
+        self.write("wall.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 2 3 4\n")
+        q = json.loads(self.succeeds("quality", "wall.obj", "--json").stdout)
+        self.assertEqual(q["strictly_convex"], 1)
+        self.assertAlmostEqual(q["mean_shape"], 1)
+        self.write("heights.obj", "v 0 0 0\nv 1 0 5\nv 1 1 7\nv 0 1 9\nf 1 2 3 4\n")
+        q = json.loads(self.succeeds("quality", "heights.obj", "--json").stdout)
+        self.assertAlmostEqual(q["max_aspect"], 1)
+
     def test_standard_input(self):
         run = self.succeeds("quality", "-", "--mesh-format", "obj", "--json", stdin=GOOD)
         self.assertEqual(json.loads(run.stdout)["quads"], 2)

@@ -167,6 +167,15 @@ TEST(Connect, SpaceOfItself) {
             (std::vector<double>{0, 0, 0, 0}));
 }
 
+TEST(Connect, SpaceOfFacesOfAnySize) {
+  const auto pentagon = faces({{0, 0}, {4, 0}, {4, 2}, {2, 4}, {0, 2}}, {{0, 1, 2, 3, 4}});
+  EXPECT_EQ(space_of(pentagon, {}), Space::kPlane);
+  EXPECT_EQ(space_of(pentagon, std::vector<double>{1, 2, 3, 4, 5}), Space::kPlane);
+  const auto two = faces({{0, 0}, {4, 0}, {4, 2}, {2, 4}, {0, 2}}, {{0, 1, 2, 3, 4}, {1, 0, 2}});
+  EXPECT_EQ(space_of(two, std::vector<double>{1, 2, 3, 4, 5}), Space::kSurface);
+  EXPECT_THROW(space_of(two, std::vector<double>{1, 2}), Error);
+}
+
 TEST(Connect, ClockwiseAsAWhole) {
   const auto mesh = faces(kSquare, {{0, 2, 1}, {0, 3, 2}});
   EXPECT_EQ(connect_triangles(mesh, {}, {.faulty = FaultyFaces::kRefuse}).turned_faces, 2U);
