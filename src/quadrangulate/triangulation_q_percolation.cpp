@@ -32,14 +32,14 @@
 //
 // A star about p puts one point s into the polygon of p and those of its children that are forks, such
 // that it sees all edges. Each leaf at an edge of that polygon makes a quad with the triangle of s and the
-// edge:
+// edge, simple since the two lie on either side of the edge:
 //
 //   x-------c-------y              w1    z2         Two leaves, x and y:
 //    .    / | .    /              /  .  /  .          s c x a, s b y c; s in the triangle a b c
 //     .  /  s  .  /              x-----c-----y      Two forks, one with w1 and v1, one with z1 and z2:
 //      ./ '   ' ./              / .   / .   / .       s c w1 x, s x v1 a, s b z1 y, s y z2 c;
 //       a-------b             v1---. / s .----z1      s in the pentagon a b y c x
-//                                   a-----b         A fork and a leaf: as you would think
+//                                   a-----b         One fork: as on its side above
 //
 // Why s exists, in the plane: a triangle is seen from any point in it; a quad of two triangles from the
 // points near the middle of their common edge. Two forks: near c, the polygon's edges that do not end
@@ -51,15 +51,15 @@
 //
 // Why the bounds hold: each star of two leaves takes two triangles out of the tree, and the last step
 // of an even tree is a pair, since its root has one child; an odd tree ends with its root, or a fork
-// there, and its boundary point. In kQuarter a star is paid by four triangles at least: a fork that becomes
-// a leaf and makes a quad with p takes p too (3 + 1), leaf and fork 1 + 3, two forks 3 + 3; p or the
-// fork's triangle that stays in the tree counts as not taken.
+// there, and its boundary point. In kQuarter each star takes four triangles at least: a fork that becomes
+// a leaf and makes a quad with p goes with p (3 + 1), leaf and fork go (1 + 3) and p stays, two forks go
+// (3 + 3) and p stays.
 //
 // What differs from the paper: one order from the leaves to the root in place of levels; the spanning
 // tree has a maximum matching in it, so that a triangulation whose dual has a perfect matching gets no
 // point at all (in a tree with one, no triangle ever has two leaves), and an odd one that has one but for
-// a triangle at the boundary gets one point; the odd point may lie on
-// the boundary; the root may have two children, whose leaves share the odd point.
+// a triangle at the boundary gets one point; the odd point may lie on the boundary; the root may have two
+// children, whose leaves share the odd point.
 //
 // On a surface in space s is sought in the chart of the star's triangles and lies on one of them;
 // boundary points are midpoints. Rounding may leave no double for a star: a star of two leaves then fails

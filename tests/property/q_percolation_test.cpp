@@ -1,6 +1,7 @@
 // Q-percolation: the bounds on inner and boundary points, all results certified.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -39,8 +40,7 @@ void expect_bounds(const TriangleResult& result, TriangleMethod method, OddBound
   }
 }
 
-void expect_q_percolation(const Polygon& polygon) {
-  const TriangleMesh source = mesh_of(polygon);
+void expect_q_percolation(const TriangleMesh& source, const Polygon& polygon) {
   for (const TriangleMethod method : kMethods) {
     for (const OddBoundary wish : kWishes) {
       TriangleOptions options;
@@ -54,6 +54,25 @@ void expect_q_percolation(const Polygon& polygon) {
   }
 }
 
+void expect_q_percolation(const Polygon& polygon) {
+  expect_q_percolation(mesh_of(polygon), polygon);
+}
+
+TEST(QPercolation, AllTriangulationsOfSmallPolygons) {
+  for (const PolygonGenerator& g : polygon_generators()) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const std::size_t n = std::max<std::size_t>(g.min_corners, 4 + seed % 9);
+      SCOPED_TRACE(std::string(g.name) + " " + std::to_string(n) + ", seed " +
+                   std::to_string(seed));
+      const Polygon polygon = generate_polygon(g.name, n, seed);
+      for_all_triangulations(polygon.rings[0], [&](const Triangulation& mesh) {
+        expect_q_percolation({mesh, {}, {}, {}, {}}, polygon);
+      });
+      if (HasFailure()) return;
+    }
+  }
+}
+
 TEST(QPercolation, RandomPolygons) {
   for_random_polygons(400,
                       [](const Polygon& polygon, std::uint64_t) { expect_q_percolation(polygon); });
@@ -63,6 +82,25 @@ TEST(QPercolation, RandomPolygonsWithHoles) {
   for_random_polygons(200, [](const Polygon& polygon, std::uint64_t seed) {
     expect_q_percolation(with_holes(polygon, 1 + seed % 4, seed));
   });
+}
+
+// Corners on straight sides, corners that touch, two parts that touch at a corner.
+TEST(QPercolation, DegeneratePolygons) {
+  const Polygon straight{{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 3}, {2, 3}, {1, 3}, {0, 3}}}};
+  const Polygon flat_triangle{{{{0, 0}, {1, 0}, {2, 0}, {4, 0}, {0, 3}}}};
+  const Polygon touching{{{{0, 0}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}, {{4, 4}, {5, 2}, {3, 2}}}};
+  const Polygon pinched{{{{0, 0}, {4, 2}, {8, 0}, {9, 4}, {4, 2}, {4, 9}, {-1, 4}}}};
+  for (const Polygon& polygon : {straight, flat_triangle, touching}) {
+    expect_q_percolation(polygon);
+  }
+  for (const TriangleMethod method : kMethods) {
+    TriangleOptions options;
+    options.method = method;
+    const TriangleResult result = convert_checked(mesh_of(pinched), {pinched}, options);
+    EXPECT_EQ(result.statistics.parts, 2U);
+    EXPECT_EQ(result.statistics.odd_parts, 1U);
+    EXPECT_EQ(result.steiner.size(), 1U);
+  }
 }
 
 TEST(QPercolation, EveryMagnitude) {
