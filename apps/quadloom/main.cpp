@@ -12,9 +12,10 @@ namespace quadloom::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Quadloom: meshes of quadrilaterals from scattered points, exact and certified.\n"
+    "Quadloom: meshes of quadrilaterals from points, triangles and polygons, exact and certified.\n"
     "\n"
     "  quadloom quadrangulate towns.csv -o towns.vtu --picture towns.png\n"
+    "  quadloom quadrangulate coast.14 -o coast.vtu\n"
     "  quadloom VERB --help";
 
 constexpr const char* kFooter =
@@ -38,8 +39,8 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   Run run;
-  for (const auto add : {add_quadrangulate, add_check, add_quality, add_draw, add_generate,
-                         add_layers, add_compare}) {
+  for (const auto add : {add_quadrangulate, add_triangulate, add_check, add_quality, add_draw,
+                         add_generate, add_layers, add_compare}) {
     add(app, run);
   }
   try {

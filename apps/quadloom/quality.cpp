@@ -7,6 +7,7 @@
 
 #include "exit_codes.hpp"
 #include "facts.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "verbs.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 struct QualityVerbOptions {
   std::string mesh, format;
+  Space space = Space::kAuto;
   bool json = false;
 };
 
@@ -63,13 +65,16 @@ void print_table(const Quality& q) {
 }
 
 // A surface is measured in space; heights and depths over the plane are data.
-Quality measure(const io::MeshFile& file) {
-  const bool surface = !file.z_is_data && space_of(file.mesh, file.z) == Space::kSurface;
+Quality measure(const io::MeshFile& file, Space space) {
+  if (space == Space::kAuto) {
+    space = file.z_is_data ? Space::kPlane : space_of(file.mesh, file.z);
+  }
+  const bool surface = space == Space::kSurface && !file.z.empty();
   return surface ? measure_quality(file.mesh, file.z) : measure_quality(file.mesh);
 }
 
 int quality(const QualityVerbOptions& o) {
-  const Quality q = measure(io::read_mesh(o.mesh, o.format));
+  const Quality q = measure(io::read_mesh(o.mesh, o.format), o.space);
   if (o.json) {
     fmt::print("{}\n", quality_json(q).dump(2));
   } else {
@@ -89,6 +94,9 @@ void add_quality(CLI::App& app, Run& run) {
   verb->add_option("MESH", o->mesh, "The mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or -")
       ->required();
   verb->add_option("--mesh-format", o->format, "Format of the mesh if not by the name");
+  add_space(
+      *verb, o->space,
+      "What z is: data over the plane or a surface in space, whose angles are those in space");
   verb->add_flag("--json", o->json, "Print JSON");
   verb->callback([o, &run] { run = [o] { return quality(*o); }; });
 }

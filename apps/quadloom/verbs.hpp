@@ -10,6 +10,7 @@ namespace quadloom::app {
 using Run = std::function<int()>;
 
 void add_quadrangulate(CLI::App& app, Run& run);
+void add_triangulate(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_quality(CLI::App& app, Run& run);
 void add_draw(CLI::App& app, Run& run);

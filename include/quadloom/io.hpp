@@ -105,6 +105,9 @@ struct Polyline {
 void write_polylines(const std::string& path, std::span<const Polyline> lines,
                      const std::string& name);
 
+/// Polygons with their holes as GeoJSON (a Polygon each), whatever the ending; "-" is standard output.
+void write_polygons(const std::string& path, std::span<const Polygon> polygons);
+
 enum class ColourBy { kQuality, kConvexity, kNone, kGroup };
 
 struct DrawOptions {

@@ -1,4 +1,4 @@
-// Polylines and rings as GeoJSON.
+// Polylines, rings and polygons as GeoJSON.
 
 #include <cmath>
 
@@ -31,7 +31,37 @@ void write_line(Output& out, const Polyline& line, const std::string& key) {
   out << (line.closed ? "]]}}" : "]}}");
 }
 
+// The first corner again at the end, as GeoJSON has it.
+void write_ring(Output& out, std::span<const Point> ring) {
+  out << '[';
+  for (const Point p : ring) {
+    write_position(out, p);
+    out << ',';
+  }
+  write_position(out, ring[0]);
+  out << ']';
+}
+
 }  // namespace
+
+void write_polygons(const std::string& path, std::span<const Polygon> polygons) {
+  Output out(path);
+  out << R"({"type":"FeatureCollection","features":[)";
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    out << (i == 0 ? "\n" : ",\n")
+        << R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)";
+    for (std::size_t r = 0; r < polygons[i].rings.size(); ++r) {
+      if (polygons[i].rings[r].empty()) {
+        throw Error(ErrorCode::kBadPolygon, "a ring without corners cannot be written", {i, r});
+      }
+      if (r > 0) out << ',';
+      write_ring(out, polygons[i].rings[r]);
+    }
+    out << "]}}";
+  }
+  out << "\n]}\n";
+  out.commit();
+}
 
 void write_polylines(const std::string& path, std::span<const Polyline> lines,
                      const std::string& name) {
