@@ -82,14 +82,18 @@ bool adds_to_boundary(const SourceMesh& source, const TriangleResult& result) {
 std::size_t most_added(const TriangleStatistics& s, const TriangleOptions& options) {
   const std::size_t odd = options.odd_boundary == OddBoundary::kTriangle ? 0 : s.odd_parts;
   switch (options.method) {
-    case TriangleMethod::kFans:
-      return s.boundary_edges / 3;
-    case TriangleMethod::kQPercolate:
-    case TriangleMethod::kQuarter:
+    case TriangleMethod::kFans:  // theorem 2.1, for one polygon
+      if (s.parts == 1) return s.boundary_edges / 3;
+      break;
+    case TriangleMethod::kPercolate:  // theorem 3.3; no holes and no inner vertices: t = n - 2
+      if (s.parts == 1 && s.triangles + 2 == s.boundary_edges) return s.boundary_edges / 3;
+      break;
+    case TriangleMethod::kQPercolate:  // theorem 3.4
       return s.triangles / 2 + odd;
+    case TriangleMethod::kQuarter:
+      return s.triangles / 4 + odd + 2 * s.crowded;
     case TriangleMethod::kPair:
-      if (options.leftover == Leftover::kTriangle || options.leftover == Leftover::kError)
-        return odd;
+      if (options.leftover == Leftover::kTriangle || options.leftover == Leftover::kError) return 0;
       break;
     default:
       break;
@@ -153,7 +157,7 @@ Witness explain_leftover(const SourceMesh& source, const ConversionOptions& opti
   leaving.triangles.odd_boundary = OddBoundary::kTriangle;
   TriangleResult result = convert(source, leaving);
   return find_witness(source, std::move(result.barrier), result.mesh.triangle_count(),
-                      options.triangles.min_quality);
+                      options.triangles);
 }
 
 }  // namespace quadloom::app

@@ -22,16 +22,23 @@ struct GenerateVerbOptions {
   std::uint64_t seed = 1;
 };
 
-std::vector<std::string_view> all_kinds() {
-  std::vector<std::string_view> names;
-  for (const Generator& g : generators()) names.push_back(g.name);
-  for (const PolygonGenerator& g : polygon_generators()) names.push_back(g.name);
+// Polygons have names of their own on the command line: there is a spiral of points, too.
+std::string polygon_kind(const PolygonGenerator& generator) {
+  return std::string(generator.name) + "-polygon";
+}
+
+std::vector<std::string> all_kinds() {
+  std::vector<std::string> names;
+  for (const Generator& g : generators()) names.emplace_back(g.name);
+  for (const PolygonGenerator& g : polygon_generators()) names.push_back(polygon_kind(g));
   return names;
 }
 
-bool is_polygon_kind(const std::string& kind) {
-  const auto kinds = polygon_generators();
-  return std::any_of(kinds.begin(), kinds.end(), [&](const auto& g) { return g.name == kind; });
+const PolygonGenerator* find_polygon_kind(const std::string& kind) {
+  for (const PolygonGenerator& g : polygon_generators()) {
+    if (polygon_kind(g) == kind) return &g;
+  }
+  return nullptr;
 }
 
 bool is_point_kind(const std::string& kind) {
@@ -44,12 +51,12 @@ void tell_count(const GenerateVerbOptions& o, std::size_t n, const char* what) {
   fmt::print(stderr, "{} has {}, the nearest to {}\n", o.kind, counted(n, what), o.n);
 }
 
-int generate_a_polygon(const GenerateVerbOptions& o) {
+int generate_a_polygon(const PolygonGenerator& kind, const GenerateVerbOptions& o) {
   if (o.output != "-" && !o.output.ends_with(".geojson") && !o.output.ends_with(".json")) {
     throw Error(ErrorCode::kBadOption,
                 fmt::format("polygons are written as .geojson, not to '{}'", o.output));
   }
-  Polygon polygon = generate_polygon(o.kind, o.n, o.seed);
+  Polygon polygon = generate_polygon(kind.name, o.n, o.seed);
   const std::size_t corners = polygon.rings[0].size();
   if (o.holes > 0) polygon = with_holes(polygon, o.holes, o.seed);
   io::write_polygons(o.output, {&polygon, 1});
@@ -62,7 +69,9 @@ int generate_a_polygon(const GenerateVerbOptions& o) {
 
 int generate(const GenerateVerbOptions& o) {
   require_writable(o.output);
-  if (is_polygon_kind(o.kind)) return generate_a_polygon(o);
+  if (const PolygonGenerator* kind = find_polygon_kind(o.kind)) {
+    return generate_a_polygon(*kind, o);
+  }
   if (!is_point_kind(o.kind)) {
     throw Error(ErrorCode::kBadOption, fmt::format("no kind is called '{}'; there are {}", o.kind,
                                                    fmt::join(all_kinds(), ", ")));
@@ -81,14 +90,14 @@ std::string list_of_kinds() {
   for (const Generator& g : generators()) list += fmt::format("  {:<18} {}\n", g.name, g.what);
   list += "\nPolygons (-n corners of the outer ring, .geojson):\n";
   for (const PolygonGenerator& g : polygon_generators()) {
-    list += fmt::format("  {:<18} {}\n", g.name, g.what);
+    list += fmt::format("  {:<18} {}\n", polygon_kind(g), g.what);
   }
   return list +
          "\nThe same kind, n and seed give the same coordinates on every platform.\n"
          "\n"
          "  quadloom generate uniform -n 100000 -o points.xyz\n"
          "  quadloom generate rotated-grid -n 400 --seed 7 -o grid.csv\n"
-         "  quadloom generate two-opt -n 50 --holes 5 -o lake.geojson";
+         "  quadloom generate two-opt-polygon -n 50 --holes 5 -o lake.geojson";
 }
 
 }  // namespace

@@ -27,8 +27,10 @@ std::string vertex(const Conversion& made, VertexId v) {
 std::string leftover_line(const Conversion& made, const ConversionOptions& options) {
   const TriangleStatistics& s = made.result.statistics;
   if (options.triangles.method != TriangleMethod::kPair) return {};
-  if (s.unmatched == 0) return "every triangle paired\n";
-  std::string line = counted(s.unmatched, "triangle") + " left over by the matching";
+  if (s.unmatched + s.parted == 0) return "every triangle paired\n";
+  std::string line = (s.unmatched == 0 ? "no triangle" : counted(s.unmatched, "triangle")) +
+                     " left over by the matching";
+  if (s.parted > 0) line += ", " + counted(s.parted, "pair") + " not strictly convex parted again";
   std::string what;
   if (s.walks > 0) {
     what += fmt::format("{}, {} in all", counted(s.walks, "walk"), counted(s.walk_steps, "step"));
@@ -99,11 +101,11 @@ Json added_json(const Conversion& made) {
 }
 
 Json statistics_json(const TriangleStatistics& s) {
-  return {{"triangles", s.triangles},   {"boundary_edges", s.boundary_edges},
-          {"parts", s.parts},           {"odd_parts", s.odd_parts},
-          {"unmatched", s.unmatched},   {"walks", s.walks},
-          {"walk_steps", s.walk_steps}, {"crossings", s.crossings},
-          {"weight_gap", s.weight_gap}};
+  return {
+      {"triangles", s.triangles}, {"boundary_edges", s.boundary_edges}, {"parts", s.parts},
+      {"odd_parts", s.odd_parts}, {"unmatched", s.unmatched},           {"parted", s.parted},
+      {"walks", s.walks},         {"walk_steps", s.walk_steps},         {"crossings", s.crossings},
+      {"crowded", s.crowded},     {"weight_gap", s.weight_gap}};
 }
 
 }  // namespace
@@ -127,10 +129,11 @@ std::string conversion_remarks(const SourceMesh& source, const Conversion& made,
   std::string out;
   for (const std::string& remark : source.remarks) out += remark + '\n';
   if (source.kept_edges > 0) out += counted(source.kept_edges, "inner edge") + " kept\n";
-  if (!made.result.barrier.empty()) {
-    const Witness witness =
-        find_witness(source, made.result.barrier, made.result.statistics.unmatched,
-                     options.triangles.min_quality);
+  const Leftover leftover = options.triangles.leftover;
+  if (!made.result.barrier.empty() &&
+      (leftover == Leftover::kTriangle || leftover == Leftover::kSteiner)) {
+    const Witness witness = find_witness(source, made.result.barrier,
+                                         made.result.statistics.unmatched, options.triangles);
     out += "no perfect matching: " + in_words(witness, source.source_face) + '\n';
   }
   return out;

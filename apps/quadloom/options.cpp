@@ -142,7 +142,7 @@ void add_input(CLI::App& verb, InputOptions& options) {
 void add_any_input(CLI::App& verb, InputOptions& options) {
   verb.add_option(
           "INPUT", options.path,
-          "Points: .csv, .xyz, .txt; a mesh: .obj, .off, .ply, .stl, .vtu, .msh, .14, .ele; "
+          "Points: .csv, .xyz, .txt, .node; a mesh: .obj, .off, .ply, .stl, .vtu, .msh, .14, .ele; "
           "polygons: .poly; points or polygons: .geojson; - for standard input")
       ->required();
   verb.add_option("--format", options.reading.format,
@@ -171,7 +171,9 @@ void add_conversion(CLI::App& verb, TriangleOptions& o) {
                  "pair: what becomes of triangles that are left over: none may be (error), they "
                  "stay, walk together, or take inner points"));
   in_group(add_choice(verb, "--pairs", o.pairs, kPairKinds,
-                      "pair: only strictly convex pairs, or any; auto: convex for walk, else any"));
+                      "pair: only strictly convex pairs, or any; auto: any, and for walk those "
+                      "that are not strictly "
+                      "convex are parted again"));
   in_group(add_choice(verb, "--matching", o.effort, kEfforts,
                       "pair: the best matching, or one near it, with its gap in the report"));
   in_group(add_number(verb, "--min-quality", o.min_quality, 0, 1,

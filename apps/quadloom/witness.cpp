@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "facts.hpp"
 #include "quadloom/dual.hpp"
 #include "quadloom/kernel.hpp"
@@ -11,24 +13,41 @@ namespace {
 
 constexpr std::size_t kMostNamed = 8;
 
-// Edges that no quad may reach over.
-std::vector<std::uint8_t> forbidden_edges(const TriangleMesh& input, double min_quality) {
+bool is_half_of_quad(const TriangleMesh& input, TriangleId t) {
+  return !input.given_pair.empty() && input.given_pair[t] != kNone;
+}
+
+// Edges that no quad may reach over; the halves of a given quad have each other alone.
+std::vector<std::uint8_t> forbidden_edges(const TriangleMesh& input) {
   const Triangulation& mesh = input.mesh;
   std::vector<std::uint8_t> forbidden = input.keep;
   forbidden.resize(mesh.tri_vertex.size(), 0);
   for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
     const HalfedgeId twin = mesh.twin[h];
-    if (twin == kNone || twin < h) continue;
+    if (twin == kNone) continue;
     const TriangleId a = triangle_of(h), b = triangle_of(twin);
-    if (!input.region.empty() && input.region[a] != input.region[b]) forbidden[h] = 1;
-    const auto at = [&](VertexId v) { return mesh.points[v]; };
-    if (min_quality > 0 && input.z.empty() &&
-        quad_shape(at(mesh.origin(h)), at(mesh.apex(twin)), at(mesh.target(h)), at(mesh.apex(h))) <
-            min_quality) {
-      forbidden[h] = 1;
-    }
+    const bool regions = !input.region.empty() && input.region[a] != input.region[b];
+    const bool quad = is_half_of_quad(input, a) && input.given_pair[a] != h;
+    if (regions || quad || mesh.apex(h) == mesh.apex(twin)) forbidden[h] = 1;
   }
   return forbidden;
+}
+
+// The pairs that the options allow, but for given quads, which are allowed whatever their shape.
+DualGraph allowed_pairs(const TriangleMesh& input, const TriangleOptions& options) {
+  const DualGraph graph = dual_graph(input.mesh, forbidden_edges(input));
+  constexpr double kWeightScale = 65535;  // of shape_weights
+  const std::int32_t least =
+      options.min_quality > 0
+          ? 1 + static_cast<std::int32_t>(std::ceil(options.min_quality * kWeightScale))
+      : options.pairs == PairKind::kConvex ? 1
+                                           : 0;
+  if (least == 0) return graph;
+  std::vector<std::int32_t> weight = shape_weights(input.mesh, input.z);
+  for (const HalfedgeId h : input.given_pair) {
+    if (h != kNone) weight[h] = least;
+  }
+  return heavy_edges(graph, weight, least);
 }
 
 // Marks the parts with an odd number of triangles, the barrier's triangles left out; counts them.
@@ -57,12 +76,12 @@ std::size_t mark_odd_parts(const DualGraph& graph, std::vector<std::uint8_t>& gr
 }  // namespace
 
 Witness find_witness(const SourceMesh& source, std::vector<TriangleId> barrier,
-                     std::size_t unmatched, double min_quality) {
+                     std::size_t unmatched, const TriangleOptions& options) {
   Witness witness;
   witness.unmatched = unmatched;
   witness.barrier = std::move(barrier);
-  const TriangleMesh& input = source.triangles;
-  const DualGraph graph = dual_graph(input.mesh, forbidden_edges(input, min_quality));
+  witness.all_pairs = options.min_quality == 0 && options.pairs != PairKind::kConvex;
+  const DualGraph graph = allowed_pairs(source.triangles, options);
   witness.group.assign(graph.node_count(), 0);
   for (const TriangleId t : witness.barrier) witness.group[t] = 1;
   witness.odd_parts = mark_odd_parts(graph, witness.group);
@@ -71,9 +90,9 @@ Witness find_witness(const SourceMesh& source, std::vector<TriangleId> barrier,
 }
 
 std::string in_words(const Witness& w, const std::vector<std::uint32_t>& source_face) {
-  std::string out =
-      fmt::format("{} {} unmatched whatever is done", counted(w.unmatched, "triangle"),
-                  w.unmatched == 1 ? "stays" : "stay");
+  std::string out = fmt::format(
+      "{} {} unmatched whatever is done{}", counted(w.unmatched, "triangle"),
+      w.unmatched == 1 ? "stays" : "stay", w.all_pairs ? "" : " with the pairs allowed");
   if (!w.proves) return out;
   const std::string parts = counted(w.odd_parts, "part") + " with an odd number of triangles";
   if (w.barrier.empty()) return out + ": there " + (w.odd_parts == 1 ? "is " : "are ") + parts;

@@ -15,7 +15,10 @@ PointTable read_xyz_points(const Source& source, const std::string& columns);
 /// Every Point and MultiPoint of a GeoJSON text.
 PointTable read_geojson_points(const Source& source);
 
-/// By the name of the format: "csv", "xyz", "geojson". Throws as read_points does.
+/// The points of Triangle's .node, in order; without line numbers.
+PointTable read_node_points(const Source& source);
+
+/// By the name of the format: "csv", "xyz", "geojson", "node". Throws as read_points does.
 PointTable read_points_text(const Source& source, const std::string& format,
                             const std::string& columns = {});
 

@@ -63,15 +63,17 @@ PointTable read_points_text(const Source& source, const std::string& format,
   if (format == "csv") return read_csv_points(source, columns);
   if (format == "xyz") return read_xyz_points(source, columns);
   if (format == "geojson") return read_geojson_points(source);
+  if (format == "node") return read_node_points(source);
   throw Error(ErrorCode::kBadOption,
-              fmt::format("no format of points is called {}; there are csv, xyz and geojson",
+              fmt::format("no format of points is called {}; there are csv, xyz, geojson and node",
                           in_quotes(format)));
 }
 
 PointTable read_points(const std::string& path, const ReadPointsOptions& options) {
-  const std::string format = !options.format.empty() ? options.format
-                             : path == "-"           ? "xyz"
-                                                     : format_of(path);
+  const std::string format = !options.format.empty()        ? options.format
+                             : path == "-"                  ? "xyz"
+                             : extension_of(path) == "node" ? "node"
+                                                            : format_of(path);
   const std::string text = read_all(path);
   return read_points_text({source_name(path), text}, format, options.columns);
 }

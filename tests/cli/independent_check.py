@@ -100,3 +100,46 @@ def check(path, points, corners=4, triangles=0):
     boundary = {(a, b) for a, b in directed if (b, a) not in directed}
     require(boundary == hull_edges(used, at), "the boundary is not the hull")
     return len(used) - len(given)
+
+
+def boundary_of(faces):
+    directed = {edge for face in faces for edge in zip(face, face[1:] + face[:1])}
+    return {(a, b) for a, b in directed if (b, a) not in directed}
+
+
+def check_mesh(path, source, triangles=0, split=0, outside=0):
+    """The same for a planar mesh (.obj) made from another. Vertices of the source keep their numbers and
+    places; the boundary is the source's, but `split` edges may have a vertex in their middle and
+    `outside` edges may be two that meet at an added vertex. Returns the number of added points."""
+    vertices, faces = read_obj(path)
+    given, given_faces = read_obj(source)
+    at = [(Fraction(x), Fraction(y)) for x, y in vertices]
+    require(faces, "no faces")
+    require(vertices[: len(given)] == given, "vertices of the source moved")
+    used = {v for face in faces for v in face}
+    require({v for face in given_faces for v in face} <= used, "a vertex of the source is in no face")
+    require(len({vertices[v] for v in used}) == len(used), "two vertices at one place")
+    require(sum(len(face) == 3 for face in faces) <= triangles, "too many triangles")
+    directed = set()
+    for face in faces:
+        require(len(face) in (3, 4), f"a face with {len(face)} corners")
+        require(simple_and_positive([at[v] for v in face]), f"not simple and positive: {face}")
+        for edge in zip(face, face[1:] + face[:1]):
+            require(edge not in directed, f"edge twice: {edge}")
+            directed.add(edge)
+    boundary, wanted = boundary_of(faces), boundary_of(given_faces)
+    after = dict(boundary)
+    for a, b in wanted - boundary:
+        middle = after.get(a)
+        require(middle is not None and middle >= len(given) and after.get(middle) == b,
+                f"boundary edge lost: {(a, b)}")
+        boundary -= {(a, middle), (middle, b)}
+        side = turn(at[a], at[b], at[middle])
+        if side == 0 and between(at[a], at[b], at[middle]):
+            split -= 1
+        else:
+            require(side < 0, f"the edge {(a, b)} was moved inwards")
+            outside -= 1
+    require(split >= 0 and outside >= 0, "more boundary edges were replaced than allowed")
+    require(boundary <= wanted, f"boundary edges too many: {sorted(boundary - wanted)[:3]}")
+    return len(used - set(range(len(given))))

@@ -18,7 +18,7 @@ class Generate(CommandLine):
 
     def test_every_kind_in_the_help_works(self):
         text = self.succeeds("generate", "--help").stdout
-        kinds = text[text.index("Kinds:"):].split("\n\n")[0].splitlines()[1:]
+        kinds = text[text.index("\nPoints:"):].strip().split("\n\n")[0].splitlines()[1:]
         self.assertGreater(len(kinds), 20)
         for line in kinds:
             kind = line.split()[0]

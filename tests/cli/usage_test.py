@@ -2,7 +2,7 @@
 
 from harness import SQUARE, CommandLine, main
 
-VERBS = ["quadrangulate", "check", "quality", "draw", "generate", "layers", "compare"]
+VERBS = ["quadrangulate", "triangulate", "check", "quality", "draw", "generate", "layers", "compare"]
 
 
 class Usage(CommandLine):
@@ -24,7 +24,7 @@ class Usage(CommandLine):
         self.refuses(2, ["subcommand"])
 
     def test_unknown_verb(self):
-        self.refuses(2, ["triangulate"], "triangulate", "x.csv")
+        self.refuses(2, ["pentagonate"], "pentagonate", "x.csv")
 
     def test_unknown_option(self):
         self.refuses(2, ["--fast"], "quadrangulate", "x.csv", "-o", "x.obj", "--fast")
@@ -53,7 +53,7 @@ class Usage(CommandLine):
 
     def test_unknown_formats(self):
         self.write("p.xyz", SQUARE)
-        self.refuses(2, ["m.stl"], "quadrangulate", "p.xyz", "-o", "m.stl")
+        self.refuses(2, [".stl"], "quadrangulate", "p.xyz", "-o", "m.stl")
         self.refuses(2, ["m.jpg"], "quadrangulate", "p.xyz", "-o", "m.obj", "--picture", "m.jpg")
         self.refuses(2, ["p.abc"], "generate", "uniform", "-n", "9", "-o", "p.abc")
 

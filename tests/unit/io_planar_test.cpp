@@ -31,6 +31,19 @@ void expect_fault(const std::string& format, const std::string& text, ErrorCode 
 
 using Numbers = std::vector<double>;
 
+TEST(PlanarGeojson, WritesWhatItReads) {
+  const test::TemporaryFolder folder;
+  std::vector<Polygon> polygons(2);
+  polygons[0].rings = {{{0, 0}, {9, 0.1}, {0, 9}}, {{1, 1}, {1, 2}, {2, 1}}};
+  polygons[1].rings = {{{20, 0}, {30, 1e-300}, {20, 9}, {19, 9}}};
+  write_polygons(folder.path("p.geojson"), polygons);
+  const PlanarFile file = read_planar(folder.path("p.geojson"));
+  ASSERT_EQ(file.input.polygons.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(file.input.polygons[i].rings, polygons[i].rings);
+  polygons[1].rings.emplace_back();
+  EXPECT_THROW(write_polygons(folder.path("q.geojson"), polygons), Error);
+}
+
 TEST(PlanarGeojson, PolygonsLinesAndPoints) {
   const PlanarFile file = read("geojson", R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"a":1},"geometry":{"type":"Polygon","coordinates":

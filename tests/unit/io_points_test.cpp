@@ -139,7 +139,7 @@ TEST(Csv, Faults) {
             {2}},
            {"csv", "x,y\n\"1\"0,2\n", "", "after the closing quote", ErrorCode::kParse, {2}},
            {"csv", "7\n", "", "found one number", ErrorCode::kParse, {1}},
-           {"off", "7\n", "", "there are csv, xyz and geojson", ErrorCode::kBadOption, {}}}) {
+           {"off", "7\n", "", "there are csv, xyz, geojson and node", ErrorCode::kBadOption, {}}}) {
     expect_fault(f);
   }
 }

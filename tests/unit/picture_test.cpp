@@ -100,6 +100,22 @@ TEST_F(Picture, ShowsAddedPointsTitlesAndOverlays) {
   EXPECT_NE(draw("m.png", file, options), plain);
 }
 
+TEST_F(Picture, ShowsGroupsOfFaces) {
+  const MeshFile file = two_quads_and_a_triangle();
+  DrawOptions options;
+  options.colour = ColourBy::kGroup;
+  options.group = {0, 0, 0};
+  options.group_names = {"others", "barrier", "odd"};
+  const std::string plain = draw("m.png", file, options);
+  options.group = {0, 1, 2};
+  EXPECT_NE(draw("m.png", file, options), plain);
+  for (const std::vector<std::uint8_t>& bad :
+       {std::vector<std::uint8_t>{0, 1}, std::vector<std::uint8_t>{0, 1, 4}}) {
+    options.group = bad;
+    EXPECT_THROW(draw("m.png", file, options), Error);
+  }
+}
+
 TEST_F(Picture, WorksForCoordinatesOfAnySize) {
   for (const double scale : {1e-320, 1e-300, 1e-30, 1e30, 1e300, 8e307}) {
     MeshFile file = two_quads_and_a_triangle();
