@@ -22,7 +22,8 @@ std::string grouped(std::size_t n) {
 
 }  // namespace
 
-std::string added_points(const std::vector<SteinerPoint>& steiner, const std::string& on_edge) {
+std::string added_points(const std::vector<SteinerPoint>& steiner, const std::string& on_edge,
+                         const std::string& on_edges) {
   if (steiner.empty()) return "no point added";
   std::array<std::size_t, 3> count = {};
   for (const SteinerPoint& s : steiner) ++count[static_cast<std::size_t>(s.kind)];
@@ -32,8 +33,10 @@ std::string added_points(const std::vector<SteinerPoint>& steiner, const std::st
     const std::size_t n = count[static_cast<std::size_t>(kind)];
     if (n == 0) continue;
     if (!places.empty()) places += ", ";
-    places += (n == steiner.size() ? "" : grouped(n) + " ") +
-              (kind == SteinerKind::kOnEdge ? on_edge : name_of(kind));
+    places += (n == steiner.size() ? "" : grouped(n) + " ") + (kind != SteinerKind::kOnEdge
+                                                                   ? name_of(kind)
+                                                               : n == 1 ? on_edge
+                                                                        : on_edges);
   }
   return fmt::format("{} added {}", counted(steiner.size(), "point"), places);
 }
@@ -52,12 +55,13 @@ std::string percent(std::size_t n, std::size_t of) {
 std::string facts_line(const MadeMesh& made) {
   const Certificate& c = made.certificate;
   const std::size_t faces = c.faces - c.triangles;
+  const std::string on_hull = name_of(SteinerKind::kOnEdge);
   return fmt::format(
       "{}, {}, {}, {}, {} strictly convex, angles {:.4g} to {:.4g} degrees, {:.2f} s",
       counted(made.input_vertices, "point"),
       counted(faces, made.quality.other_faces == 0 ? "quad" : "face"),
       c.triangles == 0 ? "no triangle" : counted(c.triangles, "triangle"),
-      added_points(made.steiner, name_of(SteinerKind::kOnEdge)), percent(c.strictly_convex, faces),
+      added_points(made.steiner, on_hull, on_hull), percent(c.strictly_convex, faces),
       made.quality.min_angle, made.quality.max_angle, made.seconds);
 }
 

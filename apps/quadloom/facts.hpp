@@ -18,8 +18,9 @@ std::string remarks(const MadeMesh& made, const PointOptions& options);
 std::string verdict_line(const Certificate& certificate, bool with_points);
 
 /// "no point added", "1 point added outside", "3,001 points added 3,000 inside, 1 on a hull edge"; the
-/// words for points on edges are given.
-std::string added_points(const std::vector<SteinerPoint>& steiner, const std::string& on_edge);
+/// words for a point on an edge and for several are given.
+std::string added_points(const std::vector<SteinerPoint>& steiner, const std::string& on_edge,
+                         const std::string& on_edges);
 
 /// "1 quad", "12,345 quads".
 std::string counted(std::size_t n, const std::string& singular);

@@ -113,12 +113,14 @@ Json statistics_json(const TriangleStatistics& s) {
 std::string conversion_facts(const SourceMesh& source, const Conversion& made,
                              const ConversionOptions& options) {
   const Quality& q = made.quality;
-  const std::string points = added_points(made.result.steiner, "on edges");
+  const bool all_triangles = source.face_count == source.triangles.mesh.triangle_count();
+  const std::string points = added_points(made.result.steiner, "on an edge", "on edges");
   return fmt::format(
              "{} and {}: {}, {}, {}, {} strictly convex, angles {:.4g} to {:.4g} degrees, {:.2f} "
              "s\n",
              counted(made.result.input_vertices, "point"),
-             counted(source.triangles.mesh.triangle_count(), "triangle"), counted(q.quads, "quad"),
+             counted(source.face_count, all_triangles ? "triangle" : "face"),
+             counted(q.quads, "quad"),
              q.triangles == 0 ? "no triangle" : counted(q.triangles, "triangle"), points,
              percent(q.strictly_convex, q.quads), q.min_angle, q.max_angle, made.convert_seconds) +
          leftover_line(made, options) + place_lines(made, options);
@@ -172,11 +174,10 @@ Json conversion_json(const SourceMesh& source, const Conversion& made,
     json["min_quality"] = o.min_quality;
   }
   json["odd_boundary"] = app::name_of(o.odd_boundary);
-  json["source"] = {{"points", made.result.input_vertices},
-                    {"components", source.components},
-                    {"boundary_cycles", source.boundary_cycles},
-                    {"kept_edges", source.kept_edges},
-                    {"remarks", source.remarks}};
+  json["source"] = {
+      {"points", made.result.input_vertices}, {"faces", source.face_count},
+      {"components", source.components},      {"boundary_cycles", source.boundary_cycles},
+      {"kept_edges", source.kept_edges},      {"remarks", source.remarks}};
   json["statistics"] = statistics_json(made.result.statistics);
   json["triangles_left"] = made.result.mesh.triangle_count();
   json["added_points"] = made.result.steiner.size();

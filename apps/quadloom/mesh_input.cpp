@@ -48,6 +48,7 @@ SourceMesh connect(io::MeshFile file, const MeshReading& reading) {
   ConnectedMesh connected = connect_triangles(file.mesh, file.z, options);
   SourceMesh source;
   source.input_count = file.mesh.points.size();
+  source.face_count = file.mesh.face_count();
   const std::size_t vertices = connected.triangles.mesh.points.size();
   const std::size_t merged = source.input_count - vertices;
   remark_on_repairs(connected, merged, source);
@@ -127,6 +128,7 @@ SourceMesh triangulate(io::PlanarFile file, const MeshReading& reading) {
   const std::size_t vertices = result.mesh.points.size();
   SourceMesh source;
   source.input_count = corners + points;
+  source.face_count = result.mesh.triangle_count();
   keep_input_edges(result, corners, reading.keep != "none", source);
   add_part_data(file, result.part, source);
   if (!file.z.empty()) source.z = by_vertex(file.z, result.input_to_vertex, vertices);

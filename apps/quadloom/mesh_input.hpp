@@ -34,6 +34,7 @@ struct SourceMesh {
   std::vector<Segment> lines;  // of the source, kept or not
   Space space = Space::kPlane;
   std::size_t kept_edges = 0;   // by lines, files and angles
+  std::size_t face_count = 0;   // of the file, or the triangles of polygons
   std::size_t input_count = 0;  // vertices of the file, or corners and points
   std::vector<std::string> remarks;
   std::size_t components = 0, boundary_edges = 0, boundary_cycles = 0;

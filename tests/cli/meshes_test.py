@@ -103,6 +103,38 @@ class Kinds(Meshes):
                 if not forced:  # a GeoJSON as a source is one of polygons
                     self.succeeds("check", "m.obj", "--source", name)
 
+    def test_quads_of_the_source_stay(self):
+        self.write("s.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 3 0 0\nv 3 2 0\n"
+                            "f 1 2 3 4\nf 2 5 6\nf 2 6 3\n")
+        run = self.convert("s.obj", output="m.ply")
+        self.assertIn("6 points and 3 faces: 2 quads, no triangle, no point added", run.stdout)
+        _, faces = read_ply(self.folder / "m.ply")
+        self.assertEqual(sorted((f["source0"], f["source1"]) for f in faces), [(0, -1), (1, 2)])
+        run = self.convert("s.obj", "--method", "subdivide")
+        self.assertIn("10 quads", run.stdout)  # four of the quad and three of each triangle
+        self.judge("s.obj", split=6)
+
+    def test_facets_and_numbered_elements(self):
+        facets = [[(0, 0), (2, 0), (2, 2)], [(0, 0), (2, 2), (0, 2)]]
+        self.write("t.stl", "solid t\n" + "".join(
+            "facet normal 0 0 1\nouter loop\n" + "".join(f"vertex {x} {y} 0\n" for x, y in facet)
+            + "endloop\nendfacet\n" for facet in facets) + "endsolid t\n")
+        self.write("e.node", "4 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n")
+        self.write("e.ele", "2 3 1\n1 1 2 3 5\n2 1 3 4 5\n")
+        for name in ["t.stl", "e.ele"]:
+            with self.subTest(name):
+                self.assertIn("4 points and 2 triangles: 1 quad", self.convert(name).stdout)
+                self.succeeds("check", "m.obj", "--source", name)
+        self.write("e.ele", "2 3 1\n1 1 2 3 5\n2 1 3 4 6\n")  # two regions
+        run = self.convert("e.ele", "--odd-boundary", "triangle")
+        self.assertIn("0 quads, 2 triangles", run.stdout)
+
+    def test_standard_input(self):
+        run = self.succeeds("quadrangulate", "-", "--format", "obj", "-o", "-", "--output-format",
+                            "obj", stdin=SQUARE_MESH)
+        self.assertIn("certified", run.stderr)
+        self.assertEqual(run.stdout.count("f "), 1)
+
     def test_polygons_and_points(self):
         self.write("p.geojson", TWO_FIELDS)
         run = self.convert("p.geojson")
@@ -126,7 +158,7 @@ class Kinds(Meshes):
         # An odd border: the added point has the depth of its place, 1 + x + 2 y.
         self.write("odd.14", COAST.replace("4 5\n", "3 5\n", 1).replace("4 3 4 1 5\n", ""))
         run = self.convert("odd.14", output="m.ply")
-        self.assertIn("1 point added on edges", run.stdout)
+        self.assertIn("1 point added on an edge", run.stdout)
         self.assertRegex(run.stdout, r"1 point added on the edge from vertex \d \(.*\) to \d \(.*\) "
                                      r"\(part with an odd border\)")
         vertices, _ = read_ply(self.folder / "m.ply")
@@ -254,7 +286,7 @@ class Leftover(Meshes):
 
     def test_odd_borders(self):
         self.write("s.obj", ODD)
-        for odd, limit, words in [("on-edge", "split", "1 point added on edges"),
+        for odd, limit, words in [("on-edge", "split", "1 point added on an edge"),
                                   ("outside", "outside", "1 point added outside"),
                                   ("triangle", "triangles", "1 triangle stays: the vertices ")]:
             with self.subTest(odd):
