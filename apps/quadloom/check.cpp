@@ -99,7 +99,8 @@ void add_check(CLI::App& app, Run& run) {
       "  quadloom check triangles.off --k 3\n"
       "  quadloom check coast.vtu --source coast.14 --steiner-inside");
   const auto o = std::make_shared<CheckVerbOptions>();
-  verb->add_option("MESH", o->mesh, "The mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or -")
+  verb->add_option("MESH", o->mesh,
+                   "The mesh: .obj, .off, .ply, .stl, .vtu, .msh, .14, .ele, .geojson, or -")
       ->required();
   verb->add_option("--mesh-format", o->format, "Format of the mesh if not by the name");
   CLI::Option* const points =

@@ -44,7 +44,8 @@ void add_draw(CLI::App& app, Run& run) {
       "\n  quadloom draw mesh.vtu -o mesh.png\n"
       "  quadloom draw mesh.obj -o mesh.svg --colour convexity --title \"My mesh\"");
   const auto o = std::make_shared<DrawVerbOptions>();
-  verb->add_option("MESH", o->mesh, "The mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or -")
+  verb->add_option("MESH", o->mesh,
+                   "The mesh: .obj, .off, .ply, .stl, .vtu, .msh, .14, .ele, .geojson, or -")
       ->required();
   verb->add_option("-o,--output", o->output, "The picture: .svg, .png or .pdf")->required();
   verb->add_option("--mesh-format", o->format, "Format of the mesh if not by the name");

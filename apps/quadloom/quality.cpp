@@ -91,7 +91,8 @@ void add_quality(CLI::App& app, Run& run) {
       "\n  quadloom quality mesh.obj\n"
       "  quadloom quality mesh.vtu --json > quality.json");
   const auto o = std::make_shared<QualityVerbOptions>();
-  verb->add_option("MESH", o->mesh, "The mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or -")
+  verb->add_option("MESH", o->mesh,
+                   "The mesh: .obj, .off, .ply, .stl, .vtu, .msh, .14, .ele, .geojson, or -")
       ->required();
   verb->add_option("--mesh-format", o->format, "Format of the mesh if not by the name");
   add_space(

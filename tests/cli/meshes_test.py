@@ -333,6 +333,10 @@ class Stays(Meshes):
         self.assertIn("0 quads, 2 triangles", run.stdout)
         self.assertEqual(self.judge("s.obj", triangles=2), 0)
         self.assertIn("1 quad, no triangle", self.convert("s.msh", "--keep", "none").stdout)
+        self.write("l.obj", SQUARE_MESH + "l 1 3\nl 2 4\n")  # the other diagonal is no edge
+        run = self.convert("l.obj", "--odd-boundary", "triangle")
+        self.assertIn("1 inner edge kept", run.stdout)
+        self.assertIn("1 line of the file along no edges of the mesh", run.stdout)
 
     def test_lines_are_written_again_in_pieces(self):
         self.write_square_with_a_line()
