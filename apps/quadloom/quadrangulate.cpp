@@ -71,8 +71,7 @@ MeshRun mesh_run(const QuadrangulateOptions& o, InputKind kind) {
   return run;
 }
 
-// GeoJSON that was read to find out what it holds, and point clouds in mesh files, need no reader of
-// points.
+// GeoJSON that was read to find out what it holds is not read again.
 io::PointTable read_point_table(const QuadrangulateOptions& o, FoundInput found) {
   if (!found.planar) return io::read_points(o.input.path, o.input.reading);
   io::PointTable table;
