@@ -82,9 +82,8 @@ bool adds_to_boundary(const SourceMesh& source, const TriangleResult& result) {
 std::size_t most_added(const TriangleStatistics& s, const TriangleOptions& options) {
   const std::size_t odd = options.odd_boundary == OddBoundary::kTriangle ? 0 : s.odd_parts;
   switch (options.method) {
-    case TriangleMethod::kFans:  // theorem 2.1, for one polygon
-      if (s.parts == 1) return s.boundary_edges / 3;
-      break;
+    case TriangleMethod::kFans:  // theorem 2.1 on the mesh opened up: n = t + 2
+      return (s.triangles + 2 * s.parts) / 3;
     case TriangleMethod::kPercolate:  // theorem 3.3; no holes and no inner vertices: t = n - 2
       if (s.parts == 1 && s.triangles + 2 == s.boundary_edges) return s.boundary_edges / 3;
       break;

@@ -191,12 +191,11 @@ struct TriangleResult {
 /// The boundary stays as it is but for outer Steiner points and, where a part has an odd number of
 /// border edges, what `odd_boundary` says: no mesh of quads alone has an odd border. kSubdivide: every
 /// edge gets one point, on the boundary exactly on it or just outside; all quads are strictly convex.
-/// kPercolate, kFans: planar meshes, all points outside whatever `odd_boundary` says; kFans: each part a
-/// polygon without holes and inner vertices. kQPercolate, kQuarter: an odd part needs a boundary edge.
+/// kPercolate, kFans: planar meshes, all points outside whatever `odd_boundary` says. kQPercolate, kQuarter: an odd part needs a boundary edge.
 ///
 /// Throws Error kBadMesh (twins, sizes or given pairs that do not agree; a mesh that the method is
 /// not for), kBadOption, kGuarantee (Leftover::kError; no place for a Steiner point among the
-/// doubles; kPercolate with triangles that no boundary is near), kTooManyPoints, kCancelled.
+/// doubles; kPercolate, kFans with triangles that no boundary is near), kTooManyPoints, kCancelled.
 TriangleResult quadrangulate_triangles(const TriangleMesh& input,
                                        const TriangleOptions& options = {});
 

@@ -196,7 +196,13 @@ bool EvenParts::split_at(PartId part, PartId other, Wanted wanted) {
           [&](VertexId a, VertexId b, VertexId c) {
             const auto border = border_.find(key(a, b));
             if (border == border_.end() || border->second.other != other) return -1;
-            if (wanted == Wanted::kNearEdge && !parts_face(a, middle(a, b), b, c)) return -1;
+            if (wanted == Wanted::kNearEdge) {
+              const Vector3 m = middle(a, b);
+              if (!parts_face(a, m, b, c)) return -1;
+              // A walk may bring another corner there later, but this one can be kept.
+              const HalfedgeId back = input_.mesh.twin[border->second.halfedge];
+              if (back != kNone && !parts_face(b, m, a, input_.mesh.apex(back))) return -1;
+            }
             return cost_of(a, b, c);
           },
       .accept =

@@ -67,11 +67,11 @@ class Fans {
     for (const HalfedgeId h : boundary_edges(open_)) {
       if (colour_[h] == chosen[parts_.part[triangle_of(h)]]) pair_fan(h);
     }
-    out_.statistics().unmatched = over_.size();
     for (const Over& over : over_) {
       if (mate_[over.triangle] == kNone && over.may_stay.empty()) find_way_out(over.triangle);
     }
     add_points();
+    out_.statistics().unmatched = out_.result().steiner.size();
     return out_.take();
   }
 
@@ -235,10 +235,12 @@ void Fans::find_way_out(TriangleId start) {
 
 void Fans::add_points() {
   std::optional<OuterPlaces> places;
+  std::vector<std::uint8_t> has_point(mate_.size());
   const auto add_point = [&](std::span<const TriangleId> may_stay) {
     if (!places) places.emplace(input_.mesh);
     const auto [edge, place] = longest_with_place(input_.mesh, may_stay, *places);
     out_.add_split(edge, out_.add_steiner({place, 0, SteinerKind::kOutside}, edge));
+    has_point[triangle_of(edge)] = 1;
     return triangle_of(edge);
   };
   for (Over& over : over_) {
@@ -247,7 +249,7 @@ void Fans::add_points() {
     bool whole = true;
     for (const HalfedgeId h : over.fan) {
       const HalfedgeId m = mate_[triangle_of(h)];
-      whole &= m == kNone || m == previous_halfedge(h) || m == h;
+      whole &= m == kNone ? triangle_of(h) == over.triangle : m == previous_halfedge(h) || m == h;
     }
     if (!whole) over.may_stay = {over.triangle};
     const TriangleId alone = add_point(over.may_stay);
@@ -257,7 +259,7 @@ void Fans::add_points() {
     }
   }
   for (const TriangleId t : ways_end_) {
-    if (mate_[t] == kNone) add_point({&t, 1});
+    if (mate_[t] == kNone && has_point[t] == 0) add_point({&t, 1});
   }
   for (TriangleId t = 0; t < mate_.size(); ++t) {
     if (mate_[t] != kNone && mate_[t] < cut_.twin[mate_[t]]) out_.add_pair(mate_[t]);

@@ -12,6 +12,7 @@
 //   3. make_parts_even        points at the borders of odd parts (odd_parts.hpp)
 //   4. walk_together          left-over triangles meet by re-cut pentagons (walk_rounds.hpp)
 //   5. cross_together         those that do not meet so cross quads with inner Steiner points
+//   6. or_with_fewer_points   if that took several points, the Q-percolation may do with fewer
 //
 // In the plane step 5 has not been seen to be needed after step 4. On a surface walks are allowed only where
 // it is rather flat. They could also make an edge twice there (in a closed part of few triangles); then
@@ -27,6 +28,7 @@
 #include "quadrangulate/odd_parts.hpp"
 #include "quadrangulate/steiner_crossing.hpp"
 #include "quadrangulate/triangulation_matching.hpp"
+#include "quadrangulate/triangulation_q_percolation.hpp"
 #include "quadrangulate/triangulation_result.hpp"
 #include "quadrangulate/walk_rounds.hpp"
 
@@ -123,6 +125,23 @@ TriangleResult convert(const TriangleMesh& input, const Triangulation& cut,
   return result;
 }
 
+/// The result, or that of the Q-percolation if it adds fewer points.
+TriangleResult or_with_fewer_points(TriangleResult&& result, const TriangleMesh& input,
+                                    const TriangleOptions& options) {
+  if (result.statistics.crossings < 2 || result.mesh.triangle_count() > 0) return std::move(result);
+  TriangleOptions quarter = options;
+  quarter.method = TriangleMethod::kQuarter;
+  try {
+    TriangleResult other = q_percolate_triangulation(input, quarter);
+    if (other.steiner.size() < result.steiner.size() && other.mesh.triangle_count() == 0) {
+      return other;
+    }
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kGuarantee) throw;  // it cannot make every part even that we can
+  }
+  return std::move(result);
+}
+
 }  // namespace
 
 TriangleResult pair_triangulation(const TriangleMesh& input, const TriangleOptions& options) {
@@ -135,6 +154,7 @@ TriangleResult pair_triangulation(const TriangleMesh& input, const TriangleOptio
   if (!input.z.empty() && result.statistics.walks > 0 && has_double_edge(result.mesh)) {
     result = convert(input, cut, matching, options, Walks::kForbidden);
   }
+  result = or_with_fewer_points(std::move(result), input, options);
   result.barrier = matching.barrier;
   result.statistics.triangles = input.mesh.triangle_count();
   result.statistics.boundary_edges = border_size(input.mesh);
