@@ -2,6 +2,7 @@
 #pragma once
 
 #include "quadloom/certify.hpp"
+#include "quadloom/convex.hpp"
 #include "quadloom/core.hpp"
 #include "quadloom/dual.hpp"
 #include "quadloom/generate.hpp"

@@ -34,7 +34,7 @@
 #include <set>
 #include <vector>
 
-#include "certify/segments.hpp"
+#include "kernel/segments.hpp"
 #include "quadloom/kernel.hpp"
 
 namespace quadloom::certify {
@@ -102,7 +102,8 @@ class Sweep {
       if (folds_back(corners_[a], corners_[b], corners_[next(b)])) met_ = true;
     } else if (a == next(b)) {
       test(b, a);
-    } else if (segments_meet(corners_[a], corners_[next(a)], corners_[b], corners_[next(b)])) {
+    } else if (kernel::segments_meet(corners_[a], corners_[next(a)], corners_[b],
+                                     corners_[next(b)])) {
       met_ = true;
     }
   }
@@ -176,7 +177,8 @@ bool edges_disjoint_by_pairs(std::span<const Point> corners) {
     const auto j = after(i, k);
     if (folds_back(corners[i], corners[j], corners[after(j, k)])) return false;
     for (std::size_t m = i + 2; m < k && !(i == 0 && m == k - 1); ++m) {
-      if (segments_meet(corners[i], corners[j], corners[m], corners[after(m, k)])) return false;
+      if (kernel::segments_meet(corners[i], corners[j], corners[m], corners[after(m, k)]))
+        return false;
     }
   }
   return true;

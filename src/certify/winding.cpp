@@ -17,8 +17,8 @@
 #include <set>
 
 #include "certify/outline.hpp"
-#include "certify/segments.hpp"
 #include "certify/wording.hpp"
+#include "kernel/segments.hpp"
 
 namespace quadloom::certify {
 namespace {
@@ -94,7 +94,8 @@ class Winding {
     if (first(a) == first(b) || last(a) == last(b) || first(a) == last(b) || last(a) == first(b)) {
       return;  // collinear ones are found by below()
     }
-    if (segments_meet(at(first(a)), at(last(a)), at(first(b)), at(last(b)))) fail_meeting(a, b);
+    if (kernel::segments_meet(at(first(a)), at(last(a)), at(first(b)), at(last(b))))
+      fail_meeting(a, b);
   }
 
   void end_edges(std::span<const End> here) {

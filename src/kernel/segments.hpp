@@ -5,7 +5,7 @@
 
 #include "quadloom/kernel.hpp"
 
-namespace quadloom::certify {
+namespace quadloom::kernel {
 
 inline bool between(Point a, Point b, Point p) {
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
@@ -26,4 +26,4 @@ inline bool segments_meet(Point a, Point b, Point c, Point d) {
          (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
 }
 
-}  // namespace quadloom::certify
+}  // namespace quadloom::kernel
