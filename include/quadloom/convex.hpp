@@ -3,10 +3,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "quadloom/core.hpp"
+#include "quadloom/quadrangulate.hpp"
 
 namespace quadloom {
 
@@ -35,5 +37,48 @@ std::optional<ConvexPatch> convexify_quad_with_point(const std::array<Point, 4>&
 
 /// The same for a quad: no Steiner points if it is strictly convex, else 4, which is the fewest.
 std::optional<ConvexPatch> convexify_quad(const std::array<Point, 4>& corners);
+
+// ---- Point sets. ----
+
+/// How a point set becomes strictly convex quads.
+enum class ConvexMethod {
+  kSpiral,  ///< Bremner, Hurtado, Ramaswami and Sacristan: the path of the spiral's triangles, cut
+            ///< into quads and pairs of quads such that few Steiner points are added
+};
+
+struct ConvexOptions {
+  ConvexMethod method = ConvexMethod::kSpiral;       // the proven bound
+  OddBoundary odd_boundary = OddBoundary::kOutside;  // all quads; kOnEdge would make a flat corner
+  Progress progress = {};
+};
+
+/// What a run did, for reports.
+struct ConvexStatistics {
+  std::size_t hull_points = 0;  ///< points on the hull, those inside its edges included
+  std::size_t kept = 0;         ///< quads of two triangles that were strictly convex
+  std::size_t patches = 0;      ///< unions of two quads, or lone quads, that were made so
+  std::array<std::size_t, 5> patches_by_points = {};  ///< patches with 0 to 4 Steiner points
+};
+
+struct ConvexResult {
+  Quadrangulation mesh;                   ///< distinct input points first, then Steiner points
+  std::vector<VertexId> input_to_vertex;  ///< one per input point, duplicates merged
+  std::size_t input_vertices = 0;
+  std::vector<SteinerPoint> steiner;  ///< inner ones: parents are a triangle that they are in
+  std::vector<QuadId> not_convex;     ///< quads that had to stay as they are, since no doubles were
+                                      ///< found for their Steiner points; none but for points that
+                                      ///< are as near to each other as doubles get
+  ConvexStatistics statistics;
+};
+
+/// A quadrangulation of a point set in which all quads are strictly convex (but for `not_convex`).
+///
+/// Guarantee (theorem 3.1): at most 3 floor(n / 2) inner Steiner points, as a rule about a sixth of
+/// that. If an odd number of points is on the hull: with OddBoundary::kOutside one Steiner point
+/// outside the hull where there is a place for it, else one triangle stays; kTriangle: one triangle
+/// stays. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled;
+/// kBadOption for OddBoundary::kOnEdge. O(n log n).
+ConvexResult convex_quadrangulation(std::span<const Point> input,
+                                    const ConvexOptions& options = {});
 
 }  // namespace quadloom

@@ -53,7 +53,8 @@ int most_points(const char* pattern) {
 bool HexagonSearch::solve(const Hexagon& h, int points) {
   if (points == 0) return split(h);
   if (points == 1) return star(h);
-  return cut(h, points) || cut_anywhere(h, points);
+  if (cut(h, points)) return true;
+  return (effort_ == Effort::kFloat || points == 2) && cut_anywhere(h, points);
 }
 
 bool HexagonSearch::split(const Hexagon& h) {

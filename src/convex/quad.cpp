@@ -127,10 +127,9 @@ std::optional<Patch> patch_quad(const std::array<Point, 4>& corners) {
   OpenRegion inside(corners);
   for (int i = 0; i < 4; ++i) inside.add(corners[i], corners[(i + 1) % 4]);
   for (const Effort effort : {Effort::kFloat, Effort::kExact}) {
-    boost::container::static_vector<Point, 65> places;
-    if (const auto middle = inside.place(effort)) places.push_back(*middle);
-    for (const Point place : inside.places()) {
-      if (places.size() < places.capacity()) places.push_back(place);
+    OpenRegion::Places places = effort == Effort::kFloat ? inside.places() : OpenRegion::Places();
+    if (places.empty()) {
+      if (const auto middle = inside.place(effort)) places.push_back(*middle);
     }
     for (const Point place : places) {
       Patch patch;

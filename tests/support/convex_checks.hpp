@@ -29,4 +29,50 @@ inline void expect_convex_patch(std::span<const Point> ring, std::span<const Poi
   EXPECT_EQ(certificate.boundary, ring.size());
 }
 
+/// Whether there must be doubles for all Steiner points.
+enum class Room { kEnough, kScarce };
+
+/// Gtest failures if the strictly convex quads of a point set are not what convex_quadrangulation
+/// promises.
+inline void expect_convex_quads(const std::vector<Point>& input, const ConvexOptions& options,
+                                const ConvexResult& result, Room room = Room::kEnough) {
+  const std::size_t n = distinct_points(input).points.size();
+  const bool odd = result.statistics.hull_points % 2 == 1;
+  const bool outer =
+      !result.steiner.empty() && result.steiner.front().kind == SteinerKind::kOutside;
+  CertifyOptions wanted;
+  wanted.strictly_convex = room == Room::kEnough;
+  wanted.steiner_inside = !outer;
+  wanted.steiner_at_most = 3 * (n / 2) + (outer ? 1 : 0);
+  wanted.triangles_allowed = odd && !outer ? 1 : 0;
+  const Certificate certificate = certify_points(to_polygon_mesh(result.mesh), input, wanted);
+  EXPECT_TRUE(certificate.ok()) << certificate.sentence;
+  EXPECT_EQ(certificate.triangles, wanted.triangles_allowed);
+  EXPECT_EQ(certificate.strictly_convex + result.not_convex.size(), result.mesh.quad_count());
+  if (room == Room::kEnough) {
+    EXPECT_TRUE(result.not_convex.empty());
+  }
+  EXPECT_TRUE(odd || !outer);
+  if (options.odd_boundary == OddBoundary::kTriangle) {
+    EXPECT_FALSE(outer);
+  }
+  EXPECT_EQ(result.input_vertices, n);
+  EXPECT_EQ(result.mesh.points.size(), n + result.steiner.size());
+  ASSERT_EQ(result.input_to_vertex.size(), input.size());
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    EXPECT_EQ(result.mesh.points[result.input_to_vertex[i]], input[i]);
+  }
+  for (std::size_t i = 0; i < result.steiner.size(); ++i) {
+    const SteinerPoint& steiner = result.steiner[i];
+    EXPECT_EQ(steiner.vertex, n + i);
+    const auto at = [&](std::size_t k) { return result.mesh.points[steiner.parents[k]]; };
+    const Point s = result.mesh.points[steiner.vertex];
+    if (steiner.kind == SteinerKind::kOutside) {
+      EXPECT_EQ(orient2d(at(0), at(1), s), -1);
+    } else {
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_GE(orient2d(at(k), at((k + 1) % 3), s), 0);
+    }
+  }
+}
+
 }  // namespace quadloom::testing
