@@ -27,6 +27,7 @@ using BigInteger = boost::multiprecision::cpp_int;
 constexpr int kMantissaBits = 53;
 constexpr int kFiner = 64;      // a unit is that many bits finer than the coordinates' last bits
 constexpr int kSpread = 48;     // columns spread over the region
+constexpr int kStride = 17;     // their order: from the middle on, that many further, around
 constexpr int kNeighbours = 4;  // columns on either side of corners and centroid
 
 struct Line {
@@ -105,11 +106,13 @@ class ExactRegion {
     return std::all_of(lines_.begin(), lines_.end(), [&](const Line& line) { return clip(line); });
   }
 
-  std::optional<Point> place() const {
+  OpenRegion::Places places(std::size_t most) const {
+    OpenRegion::Places out;
     for (const double column : columns()) {
-      if (const auto p = place_in_column(column)) return p;
+      if (out.size() == most) break;
+      if (const auto p = place_in_column(column)) out.push_back(*p);
     }
-    return std::nullopt;
+    return out;
   }
 
  private:
@@ -185,9 +188,9 @@ class ExactRegion {
       sum += x / static_cast<double>(size());
     }
     around.push_back(sum);
-    for (int i = 1; i < kSpread; ++i) {
-      const double f = static_cast<double>(i) / kSpread;
-      out.push_back(least * (1 - f) + most * f);
+    for (int i = 0; i < kSpread; ++i) {
+      const double f = static_cast<double>((kSpread / 2 + i * kStride) % kSpread) / kSpread;
+      if (f > 0) out.push_back(least * (1 - f) + most * f);
     }
     for (const double x : around) {
       double up = x, down = x;
@@ -248,14 +251,16 @@ class ExactRegion {
 
 }  // namespace
 
-std::optional<Point> place_exactly(std::span<const HalfPlane> sides, Point low, Point high) {
-  if (!(low.x < high.x && low.y < high.y)) return std::nullopt;
+OpenRegion::Places places_exactly(std::span<const HalfPlane> sides, Point low, Point high,
+                                  std::size_t most) {
+  if (!(low.x < high.x && low.y < high.y)) return {};
   for (const bool swapped : {false, true}) {
     ExactRegion region(sides, low, high, swapped);
-    if (!region.clip_all()) return std::nullopt;
-    if (const auto p = region.place()) return p;
+    if (!region.clip_all()) return {};
+    const OpenRegion::Places places = region.places(most);
+    if (!places.empty()) return places;
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace quadloom::convex

@@ -1,9 +1,10 @@
 // A hexagon in strictly convex quads with at most three inner Steiner points (Bremner, Hurtado,
 // Ramaswami and Sacristan, theorem 3.2).
 //
-// A mesh of a hexagon with k inner points has k + 2 quads and 3k + 4 - ... edges by Euler's formula; in
-// a strictly convex one every inner point has at least three edges. Counting them leaves very few
-// meshes, so that the search can go through all of them:
+// A mesh of a hexagon with k inner points has k + 2 quads and 2k + 1 inner edges by Euler's formula, and
+// two-colours its points; in a strictly convex one every inner point has at least three edges. So the
+// inner points have at least k - 1 edges among them, and for k = 2 and 3 make a path, each with three
+// edges. That leaves very few meshes, and the search can go through all of them:
 //
 //   0 points   split   one of the three long diagonals
 //   1 point    star    joined to every other corner: two ways
@@ -13,11 +14,12 @@
 //   3 points   cut     s cuts one corner off, then two points as above: a path of three points, of
 //                      which the outer two cut two corners at distance two, six ways
 //
-//   1:  c ---- b       2:  c ------- b      3:  d ------ c ------ b
-//      /  \      \          | \       |           | \      |     /  |
-//     d    s ---- a         d   t - s - a         |   t -- u -- s   |
-//      \  /      /          |  /     /            |  /     |     \  |
-//       e ---- f            e ---- f              e ------ f ------ a
+//   1:  c -------- b     2:  c -------- b     3:  d ------ c ------ b
+//       |  \       |         |  \       |         |      /   \      |
+//       d    s --- a         |    s --- a         |    u - t - s    |
+//       |  /       |         d -- t     |         |   /    |    \   |
+//       e -------- f         |      \   |         e ------ f ------ a
+//                            e -------- f
 //
 // A mesh is right if all its quads are strictly convex, nothing else has to be looked at: see tiles().
 // So questions of who sees whom, on which the paper's proof rests, do not come up, flat corners are
@@ -26,11 +28,17 @@
 //   split         exact
 //   star          the place is an intersection of nine half-planes: exact up to OpenRegion::place
 //   cut           the first point in the middle of the paper's region (hexagon_cases.cpp), then the rest
-//   cut_anywhere  where the paper's region fails, or fewer points are possible than it uses: any corner,
-//                 first point at several places of its region (OpenRegion::places). The answer "not
-//                 with that many points" is therefore exact for none and one, and not for two and three
+//   cut_anywhere  where fewer points are possible than the paper uses, or rounding leaves no room: any
+//                 corner, the first point at several places of its region (OpenRegion::places)
 //
-// Cost: constant; about a microsecond for none and one, milliseconds at worst.
+// Everything is tried in floating point first, with 0, 1, 2, 3 points, and then again with exact places.
+// So "not with fewer points" is exact for none, true up to the width of doubles for one, and not
+// certain for two.
+//
+// Differs from the paper: its regions lie inside of the hexagon, which is not convex. The lines of the
+// hexagon's edges are added one after the other as long as the region stays non-empty (add_if_room):
+// a point in the middle of the region without them can be outside. Degenerate input: flat corners are
+// reflex ones. Cost: constant; microseconds, milliseconds at worst where exact places are needed.
 #include "convex/hexagon.hpp"
 
 #include <string_view>
@@ -131,7 +139,7 @@ bool HexagonSearch::cut_anywhere(const Hexagon& h, int points) {
       OpenRegion region = region_of(h, corner);
       if ((beside & 1) != 0) region.add(h[around(corner - 2)].at, previous.at);
       if ((beside & 2) != 0) region.add(next.at, h[around(corner + 2)].at);
-      for (const Point place : region.places()) {
+      for (const Point place : region.places(effort_)) {
         if (cut_at(h, corner, place, points)) return true;
       }
     }

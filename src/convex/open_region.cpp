@@ -11,7 +11,8 @@
 namespace quadloom::convex {
 namespace {
 
-constexpr int kColumns = 4;  // doubles on either side of the middle, in x and in y
+constexpr std::size_t kMostExact = 6;  // places of a region that floating point cannot see
+constexpr int kColumns = 4;            // doubles on either side of the middle, in x and in y
 
 double height(Point a, Point b, Point p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -119,10 +120,20 @@ std::optional<Point> OpenRegion::place(Effort effort) const {
     }
   }
   if (effort == Effort::kFloat) return std::nullopt;
-  return place_exactly({sides_.data(), sides_.size()}, low_, high_);
+  const Places exact = exact_places(1);
+  return exact.empty() ? std::nullopt : std::optional(exact.front());
 }
 
-OpenRegion::Places OpenRegion::places() const {
+OpenRegion::Places OpenRegion::exact_places(std::size_t most) const {
+  return places_exactly({sides_.data(), sides_.size()}, low_, high_, most);
+}
+
+OpenRegion::Places OpenRegion::places(Effort effort) const {
+  Places out = places_of_polygon();
+  return out.empty() && effort == Effort::kExact ? exact_places(kMostExact) : out;
+}
+
+OpenRegion::Places OpenRegion::places_of_polygon() const {
   Places out;
   if (polygon_.size() < 3) return out;
   const auto add_place = [&](Point p) {

@@ -38,16 +38,16 @@ class OpenRegion {
   bool contains(Point p) const;
 
   /// A double of the region. The order of the search: the centroid of the floating-point polygon;
-  /// doubles beside it in some columns; with Effort::kExact then what place_exactly finds.
+  /// doubles beside it in some columns; with Effort::kExact then what places_exactly finds.
   ///
   /// A point that is returned is in the region, exactly. kFloat may miss regions thinner than about
   /// 1e-15 of the box. With kExact the answer none means that the region is empty (this is decided
-  /// exactly), or so thin that place_exactly, which see, has found no double in it.
+  /// exactly), or so thin that places_exactly, which see, has found no double in it.
   std::optional<Point> place(Effort effort) const;
 
   /// Doubles of the region near the middle, the corners and the sides of the floating-point polygon,
-  /// for searches in which the best place is not known. None if it is too thin.
-  Places places() const;
+  /// for searches in which the best place is not known; with kExact a few others if there are none.
+  Places places(Effort effort) const;
 
  private:
   using Polygon = boost::container::static_vector<Point, kMostSides + 4>;
@@ -55,6 +55,8 @@ class OpenRegion {
   Point into_frame(Point p) const;
   Point out_of_frame(Point p) const;
   Point centroid() const;
+  Places places_of_polygon() const;
+  Places exact_places(std::size_t most) const;
   std::optional<Point> place_in_columns(Point middle) const;
 
   Point low_, high_;    // the box

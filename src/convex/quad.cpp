@@ -66,7 +66,7 @@ class InnerQuadSearch {
       return place && finish(start, reflected, *place);
     }
     patch_.as_in_paper = false;
-    const auto places = region.places();
+    const auto places = region.places(effort_);
     return std::any_of(places.begin(), places.end(),
                        [&](Point place) { return finish(start, reflected, place); });
   }
@@ -127,11 +127,7 @@ std::optional<Patch> patch_quad(const std::array<Point, 4>& corners) {
   OpenRegion inside(corners);
   for (int i = 0; i < 4; ++i) inside.add(corners[i], corners[(i + 1) % 4]);
   for (const Effort effort : {Effort::kFloat, Effort::kExact}) {
-    OpenRegion::Places places = effort == Effort::kFloat ? inside.places() : OpenRegion::Places();
-    if (places.empty()) {
-      if (const auto middle = inside.place(effort)) places.push_back(*middle);
-    }
-    for (const Point place : places) {
+    for (const Point place : inside.places(effort)) {
       Patch patch;
       patch.given = 4;
       const Corner inner = patch.add_steiner(place);

@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 
+#include "convex/hexagon.hpp"
 #include "core/random.hpp"
 #include "support/convex_checks.hpp"
 #include "support/grid_polygons.hpp"
@@ -134,6 +135,45 @@ TEST(ConvexHexagon, NearlyFlatCorners) {
             << not_placed << ", not simple " << not_simple << "\n";
   EXPECT_GT(placed, 1000U);
   EXPECT_LT(not_placed, placed / 100);
+}
+
+/// A triangle A, B, C around a triangle A, D, E with the same corner A: what is between them is a
+/// hexagon that touches itself.
+TEST(ConvexHexagon, ThatTouchesItself) {
+  std::vector<std::array<Point, 3>> triangles;
+  testing::for_each_grid_polygon<3>(6, [&](const std::array<Point, 3>& t) {
+    for (std::size_t i = 0; i < 3; ++i) triangles.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+  });
+  Histogram cases;
+  for (const auto& [a, b, c] : triangles) {
+    const auto inside = [a = a, b = b, c = c](Point p) {
+      return orient2d(a, b, p) > 0 && orient2d(b, c, p) > 0 && orient2d(c, a, p) > 0;
+    };
+    for (const auto& [hole, d, e] : triangles) {
+      if (hole != a || !inside(d) || !inside(e)) continue;
+      const std::array<Point, 6> ring = {a, b, c, a, e, d};
+      SCOPED_TRACE(words(ring));
+      const auto patch = convex::patch_hexagon(ring);
+      ASSERT_TRUE(patch.has_value());
+      PolygonMesh mesh;
+      mesh.points = {a, b, c, e, d};
+      mesh.points.insert(mesh.points.end(), patch->steiner.begin(), patch->steiner.end());
+      for (const auto& quad : patch->quads) {
+        std::array<VertexId, 4> face;
+        for (std::size_t i = 0; i < 4; ++i) face[i] = quad[i] == 3 ? 0 : quad[i] - (quad[i] > 3);
+        mesh.add_face(face);
+      }
+      const Polygon polygon{{{a, b, c}, {a, d, e}}};
+      CertifyOptions wanted;
+      wanted.strictly_convex = wanted.steiner_inside = true;
+      const Certificate certificate = certify_polygons(mesh, {&polygon, 1}, {}, wanted);
+      EXPECT_TRUE(certificate.ok()) << certificate.sentence;
+      ++cases[std::to_string(certificate.steiner)];
+      if (HasFailure()) return;
+    }
+  }
+  print("hexagons that touch themselves, by Steiner points", cases);
+  EXPECT_FALSE(cases.empty());
 }
 
 TEST(ConvexQuad, EveryOneOnTheFiveByFiveGrid) {
