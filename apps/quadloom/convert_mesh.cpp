@@ -25,7 +25,7 @@ const std::vector<double>& vertex_weight(const SourceMesh& source, const std::st
       fmt::format("--weight: the vertices have no numbers called '{}'; there is {}", name, names));
 }
 
-// An edge weighs the mean over its ends, above the least of all.
+// An edge weighs half the mean over its ends (so that differences are finite), above the least of all.
 std::vector<double> edge_weights(const SourceMesh& source, const std::string& name) {
   const std::vector<double>& value = vertex_weight(source, name);
   const Triangulation& mesh = source.triangles.mesh;
@@ -38,7 +38,7 @@ std::vector<double> edge_weights(const SourceMesh& source, const std::string& na
       throw Error(ErrorCode::kNotFinite,
                   fmt::format("--weight: '{}' of vertex {} is not finite", name, v), {v});
     }
-    weight.push_back(value[a] / 2 + value[b] / 2);
+    weight.push_back(value[a] / 4 + value[b] / 4);
   }
   const double least = *std::min_element(weight.begin(), weight.end());
   for (double& w : weight) w -= least;

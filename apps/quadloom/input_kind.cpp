@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "timer.hpp"
+
 namespace quadloom::app {
 namespace {
 
@@ -26,17 +28,19 @@ std::string ending_of(const std::string& path) {
 }  // namespace
 
 FoundInput find_input(const std::string& path, const std::string& format, InputKind asked) {
-  if (asked != InputKind::kAuto) return {asked, {}};
+  if (asked != InputKind::kAuto) return {asked, {}, 0};
   const std::string name = format.empty() ? ending_of(path) : format;
   if (std::find(kMeshes.begin(), kMeshes.end(), name) != kMeshes.end()) {
-    return {InputKind::kMesh, {}};
+    return {InputKind::kMesh, {}, 0};
   }
-  if (name == "poly") return {InputKind::kPolygons, {}};
+  if (name == "poly") return {InputKind::kPolygons, {}, 0};
   // Standard input can be read only once; the readers of points do that.
-  if (path == "-" || (name != "geojson" && name != "json")) return {InputKind::kPoints, {}};
+  if (path == "-" || (name != "geojson" && name != "json")) return {InputKind::kPoints, {}, 0};
+  const Timer reading;
   io::PlanarFile planar = io::read_planar(path, name);
+  const double seconds = reading.seconds();
   const bool points = planar.input.polygons.empty() && planar.input.segments.empty();
-  return {points ? InputKind::kPoints : InputKind::kPolygons, std::move(planar)};
+  return {points ? InputKind::kPoints : InputKind::kPolygons, std::move(planar), seconds};
 }
 
 }  // namespace quadloom::app

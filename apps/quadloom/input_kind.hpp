@@ -13,6 +13,7 @@ enum class InputKind { kAuto, kPoints, kPolygons, kMesh };
 struct FoundInput {
   InputKind kind = InputKind::kPoints;
   std::optional<io::PlanarFile> planar;  ///< read on the way, to tell what a GeoJSON holds
+  double read_seconds = 0;               ///< what that took
 };
 
 /// By the name of the format (empty: the file's ending): points, a mesh or polygons; a GeoJSON is

@@ -18,9 +18,11 @@ bool has_outer_points(const Conversion& made) {
                      [](const SteinerPoint& s) { return s.kind == SteinerKind::kOutside; });
 }
 
-std::string vertex(const Conversion& made, VertexId v) {
+std::string vertex(const SourceMesh& source, const Conversion& made, VertexId v) {
   const Point p = made.file.mesh.points[v];
-  return fmt::format("{} ({:.6g}, {:.6g})", v, p.x, p.y);
+  if (source.space != Space::kSurface) return fmt::format("{} ({:.6g}, {:.6g})", v, p.x, p.y);
+  const double z = made.file.z.empty() ? 0 : made.file.z[v];
+  return fmt::format("{} ({:.6g}, {:.6g}, {:.6g})", v, p.x, p.y, z);
 }
 
 // "3 triangles left over by the matching; 1 walk of 14 steps, 1 quad crossed by an added point".
@@ -43,7 +45,8 @@ std::string leftover_line(const Conversion& made, const ConversionOptions& optio
 }
 
 // Where points were added that are not inside.
-std::string place_lines(const Conversion& made, const ConversionOptions& options) {
+std::string place_lines(const SourceMesh& source, const Conversion& made,
+                        const ConversionOptions& options) {
   const TriangleMethod method = options.triangles.method;
   if (method != TriangleMethod::kPair && method != TriangleMethod::kQPercolate &&
       method != TriangleMethod::kQuarter) {
@@ -56,7 +59,7 @@ std::string place_lines(const Conversion& made, const ConversionOptions& options
     if (++lines > kMostLines) continue;
     out += fmt::format("1 point added {} the edge from vertex {} to {} (part with an odd border)\n",
                        s.kind == SteinerKind::kOnEdge ? "on" : "outside",
-                       vertex(made, s.parents[0]), vertex(made, s.parents[1]));
+                       vertex(source, made, s.parents[0]), vertex(source, made, s.parents[1]));
   }
   if (lines > kMostLines) {
     out += fmt::format("{} more on edges (--report names them)\n",
@@ -64,8 +67,8 @@ std::string place_lines(const Conversion& made, const ConversionOptions& options
   }
   for (std::size_t t = 0; t < std::min(kMostLines, made.result.mesh.triangle_count()); ++t) {
     const VertexId* v = &made.result.mesh.tri_vertex[3 * t];
-    out += fmt::format("1 triangle stays: the vertices {}, {} and {}\n", vertex(made, v[0]),
-                       vertex(made, v[1]), vertex(made, v[2]));
+    out += fmt::format("1 triangle stays: the vertices {}, {} and {}\n", vertex(source, made, v[0]),
+                       vertex(source, made, v[1]), vertex(source, made, v[2]));
   }
   if (made.result.mesh.triangle_count() > kMostLines) {
     out += fmt::format("{} more stay\n",
@@ -123,7 +126,7 @@ std::string conversion_facts(const SourceMesh& source, const Conversion& made,
              counted(q.quads, "quad"),
              q.triangles == 0 ? "no triangle" : counted(q.triangles, "triangle"), points,
              percent(q.strictly_convex, q.quads), q.min_angle, q.max_angle, made.convert_seconds) +
-         leftover_line(made, options) + place_lines(made, options);
+         leftover_line(made, options) + place_lines(source, made, options);
 }
 
 std::string conversion_remarks(const SourceMesh& source, const Conversion& made,
@@ -174,10 +177,16 @@ Json conversion_json(const SourceMesh& source, const Conversion& made,
     json["min_quality"] = o.min_quality;
   }
   json["odd_boundary"] = app::name_of(o.odd_boundary);
-  json["source"] = {
-      {"points", made.result.input_vertices}, {"faces", source.face_count},
-      {"components", source.components},      {"boundary_cycles", source.boundary_cycles},
-      {"kept_edges", source.kept_edges},      {"remarks", source.remarks}};
+  json["source"] = {{"points", made.result.input_vertices},
+                    {"faces", source.face_count},
+                    {"kept_edges", source.kept_edges},
+                    {"remarks", source.remarks}};
+  if (source.polygons) {
+    json["source"]["polygons"] = source.polygons->polygons.size();
+  } else if (source.components > 0) {  // a mesh, no segments
+    json["source"]["components"] = source.components;
+    json["source"]["boundary_cycles"] = source.boundary_cycles;
+  }
   json["statistics"] = statistics_json(made.result.statistics);
   json["triangles_left"] = made.result.mesh.triangle_count();
   json["added_points"] = made.result.steiner.size();

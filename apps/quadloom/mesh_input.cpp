@@ -308,7 +308,7 @@ SourceMesh read_source(const MeshReading& reading, FoundInput input) {
     source.connect_seconds = timer.seconds();
   } else {
     if (!input.planar) input.planar = io::read_planar(reading.path, reading.format);
-    const double seconds = reading_time.seconds();
+    const double seconds = input.read_seconds + reading_time.seconds();
     const Timer timer;
     source = triangulate(std::move(*input.planar), reading);
     source.read_seconds = seconds;

@@ -270,4 +270,17 @@ void require_picture(const std::string& path) {
   require_writable(path);
 }
 
+void require_different(const std::vector<std::string>& outputs) {
+  std::map<std::filesystem::path, std::string> seen;
+  for (const std::string& output : outputs) {
+    if (output.empty()) continue;
+    const auto file = output == "-" ? std::filesystem::path(output)
+                                    : std::filesystem::absolute(output).lexically_normal();
+    if (seen.emplace(file, output).second) continue;
+    throw Error(ErrorCode::kBadOption,
+                output == "-" ? "two outputs cannot both be standard output"
+                              : fmt::format("two outputs cannot both be '{}'", output));
+  }
+}
+
 }  // namespace quadloom::app

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "input_kind.hpp"
 #include "quadloom/io.hpp"
@@ -76,5 +77,8 @@ void require_writable(const std::string& path);
 void require_mesh(const std::string& path, const std::string& format);
 /// The same for a picture, whose name must have an ending that is known.
 void require_picture(const std::string& path);
+/// Throws Error kBadOption if two of the outputs are the same file, or both standard output; empty ones
+/// are none.
+void require_different(const std::vector<std::string>& outputs);
 
 }  // namespace quadloom::app

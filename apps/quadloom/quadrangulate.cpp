@@ -84,6 +84,7 @@ int quadrangulate(const QuadrangulateOptions& o) {
   require_mesh(o.output.mesh, o.output.mesh_format);
   require_picture(o.output.picture);
   require_writable(o.output.report);
+  require_different({o.output.mesh, o.output.picture, o.output.report});
   const Timer reading;
   FoundInput found = find_input(o.input.path, o.input.reading.format, o.kind);
   if (found.kind != InputKind::kPoints) {
@@ -106,8 +107,8 @@ void add_mesh_options(CLI::App& verb, QuadrangulateOptions& o) {
        "the "
        "greater their mean is at its ends");
   word("--regions", o.mesh.reading.regions, "auto|none|NAME",
-       "Numbers of the faces that quads never mix; auto: region, physical, material, part, or the "
-       "parts of polygons");
+       "Numbers of the faces that quads never mix; auto: region, physical, material, part, "
+       "attribute0, or the parts of polygons");
   word("--keep", o.mesh.reading.keep, "lines|none|FILE",
        "Edges that stay: the lines in the file of the mesh, or those of another file (.geojson, "
        ".poly) along edges of the mesh");

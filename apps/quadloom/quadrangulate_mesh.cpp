@@ -74,6 +74,18 @@ int explain(const SourceMesh& source, const MeshRun& run, const OutputOptions& o
   return kGuaranteeMissed;
 }
 
+// A planar mesh whose own faces overlap has no conversion that tiles its region.
+void blame_source(const SourceMesh& source) {
+  if (source.space == Space::kSurface || source.polygons) return;
+  CertifyOptions triangles;
+  triangles.corners = 3;
+  const Certificate verdict =
+      certify_mesh(to_polygon_mesh(source.triangles.mesh), source.faces, triangles);
+  if (verdict.ok()) return;
+  throw Error(ErrorCode::kBadMesh, "the faces of the mesh overlap: " + verdict.sentence,
+              verdict.culprits);
+}
+
 }  // namespace
 
 int quadrangulate_mesh_file(FoundInput input, MeshRun run, const OutputOptions& output) {
@@ -90,6 +102,7 @@ int quadrangulate_mesh_file(FoundInput input, MeshRun run, const OutputOptions& 
     return explain(source, run, output, e);
   }
   if (!made.ok()) {  // nothing is written that the check refuses
+    blame_source(source);
     tell(source, made, run, output);
     return kCheckFailed;
   }

@@ -59,7 +59,8 @@ bool judge_corners(const PolygonMesh& mesh, const CertifyOptions& options, Certi
   if (mesh.face_count() == 0) return fail(out, Fault::kNoFaces, "the mesh has no faces", {});
   used.assign(mesh.points.size(), 0);
   std::vector<VertexId> sorted;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f, ++out.faces) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    ++out.faces;
     if (!judge_count(mesh, f, options, out)) return false;
     for (const VertexId v : mesh.face(f)) {
       if (v >= mesh.points.size()) {

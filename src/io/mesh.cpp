@@ -45,9 +45,11 @@ const MeshFormat& find_format(const std::string& path, const std::string& format
     names += names.empty() ? "" : ", ";
     names += known.name;
   }
-  std::string what = format.empty()
-                         ? fmt::format("cannot tell the format of {}", path)
-                         : fmt::format("no format of meshes is called {}", in_quotes(format));
+  std::string what =
+      !format.empty() ? fmt::format("no format of meshes is called {}", in_quotes(format))
+      : path == "-"   ? fmt::format("the format of {} must be said",
+                                  use == Use::kRead ? "standard input" : "standard output")
+                      : fmt::format("cannot tell the format of {}", path);
   if (only_read) what = fmt::format("meshes are read from .{} but not written to it", name);
   throw Error(ErrorCode::kBadOption,
               fmt::format("{}; {} are {}", what, only_read ? "written" : "known", names));

@@ -313,8 +313,8 @@ Root QPercolation::odd_root(std::span<const TriangleId> tree) {
     if (auto place = boundary_.place(h)) return {triangle_of(h), h, place};
   }
   throw Error(ErrorCode::kGuarantee,
-              "the part of triangle " + std::to_string(tree[0]) + " has " +
-                  std::to_string(tree.size()) + " triangles, an odd number, and " +
+              "the part of triangle " + std::to_string(tree[0]) +
+                  " has an odd number of triangles, " + std::to_string(tree.size()) + ", and " +
                   (edges.empty() ? "no boundary edge" : "no boundary edge with a place") +
                   " for a Steiner point",
               {tree[0]});

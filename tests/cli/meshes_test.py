@@ -233,6 +233,18 @@ class Words(Meshes):
                 self.write("s.obj", text)
                 self.refuses(3, [], "quadrangulate", "s.obj", "-o", "m.obj")
 
+    def test_faces_that_overlap(self):
+        self.write("s.obj", "v 0 0\nv 4 0\nv 0 4\nv 1 1\nv 5 1\nv 1 5\nf 1 2 3\nf 4 5 6\n")
+        self.refuses(3, ["overlap", "vertex 3 (1, 1)"], "quadrangulate", "s.obj", "-o", "m.obj")
+
+    def test_outputs_differ(self):
+        self.write("s.obj", ODD)
+        self.refuses(2, ["two outputs", "m.obj"], "quadrangulate", "s.obj", "-o", "m.obj",
+                     "--report", "./m.obj")
+        self.refuses(2, ["standard output"], "quadrangulate", "s.obj", "-o", "-",
+                     "--output-format", "obj", "--report", "-")
+        self.refuses(2, ["standard output", "said"], "quadrangulate", "s.obj", "-o", "-")
+
     def test_faces_turned_over(self):
         self.write("s.obj", SQUARE_MESH.replace("f 1 3 4", "f 4 3 1"))
         self.assertIn("1 face turned over", self.convert("s.obj").stdout)
@@ -392,6 +404,16 @@ class Carried(Meshes):
         self.assertEqual([f["soil"] for f in faces], [sum(values) / 2])
         self.assertEqual([{f["source0"], f["source1"]} for f in faces], [{0, 1}])
 
+    def test_weights_of_any_size(self):
+        numbers = ["-1e308", "1e308", "0", "1.7e308"]
+        text = grid(1)
+        head, body = text.split("end_header\n")
+        lines = body.splitlines()
+        body = "\n".join([f"{l} {n}" for l, n in zip(lines, numbers)] + lines[4:]) + "\n"
+        head = head.replace("element face", "property double w\nelement face")
+        self.write("s.ply", head + "end_header\n" + body)
+        self.convert("s.ply", "--weight", "w")
+
     def test_weights_of_vertices(self):
         # A square of four triangles around its centre: one pair of opposite spokes goes. The spoke to
         # the corner with the greatest number does.
@@ -436,6 +458,11 @@ class Surfaces(Meshes):
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn("NOT CERTIFIED", run.stderr)
 
+    def test_odd_places_are_named_in_space(self):
+        self.write("s.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+        self.assertRegex(self.convert("s.obj").stdout,
+                         r"the edge from vertex \d \(\d, \d, \d\) to \d \(\d, \d, \d\)")
+
     def test_sharp_edges_stay(self):
         self.write("s.obj", self.CUBE)
         run = self.convert("s.obj", "--keep-angle", "30")
@@ -470,6 +497,8 @@ class Check(Meshes):
         self.finds("m.obj", "--source", "t.obj")
         self.write("u.obj", STAR.replace("f 1 3 6\n", ""))
         self.finds("m.obj", "--source", "u.obj")
+        run = self.run_app("check", "s.obj")  # its triangles are too many
+        self.assertIn("0 faces, 1 triangle,", run.stderr)
 
     def test_polygons(self):
         self.write("p.geojson", TWO_FIELDS)
@@ -504,12 +533,20 @@ class Others(Meshes):
         statistics = mesh["statistics"]
         self.assertEqual((statistics["triangles"], statistics["boundary_edges"],
                           statistics["odd_parts"]), (3, 3, 1))
+        self.assertEqual((mesh["source"]["components"], mesh["source"]["boundary_cycles"]), (1, 1))
         self.assertEqual(mesh["added_points"], 1)
         self.assertEqual(mesh["added_points_listed"][0]["where"], "on an edge")
         self.assertEqual(set(mesh["seconds"]), {"read", "connect", "convert", "certify", "write"})
         self.assertTrue(mesh["certificate"]["ok"])
         self.assertIn(mesh["worst_angle_degrees"], (mesh["quality"]["min_angle_degrees"],
                                                     mesh["quality"]["max_angle_degrees"]))
+
+    def test_report_of_polygons(self):
+        self.write("p.geojson", TWO_FIELDS)
+        self.convert("p.geojson", "--report", "r.json")
+        source = json.loads((self.folder / "r.json").read_text())["mesh"]["source"]
+        self.assertEqual(source["polygons"], 2)
+        self.assertNotIn("components", source)
 
     def test_triangulate(self):
         self.write("p.xyz", "0 0 1\n4 0 2\n4 4 3\n0 4 4\n1 1 5\n")
