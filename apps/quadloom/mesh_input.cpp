@@ -281,7 +281,10 @@ void add_kept_edges(const MeshReading& reading, InputKind kind, SourceMesh& sour
   } else if (reading.keep != "none") {
     keep_lines_of_file(reading.keep, source);
   }
-  if (reading.keep_angle) {
+  if (reading.keep_angle && source.space != Space::kSurface) {
+    source.remarks.push_back(
+        "no edge kept by its angle: the mesh is planar, not a surface in space");
+  } else if (reading.keep_angle) {
     source.kept_edges += keep_sharp_edges(source.triangles, *reading.keep_angle);
   }
 }

@@ -177,7 +177,8 @@ void add_conversion(CLI::App& verb, TriangleOptions& o) {
   in_group(add_choice(verb, "--matching", o.effort, kEfforts,
                       "pair: the best matching, or one near it, with its gap in the report"));
   in_group(add_number(verb, "--min-quality", o.min_quality, 0, 1,
-                      "pair: no pair of a lesser shape is made (1: rectangle)"));
+                      "pair: the matching makes no pair of a lesser shape (1: rectangle); with "
+                      "--leftover triangle nothing does"));
 }
 
 void add_space(CLI::App& verb, Space& space, const std::string& help) {

@@ -144,13 +144,13 @@ enum class PairWeight {
 enum class MatchingEffort { kExact, kNear };
 
 struct TriangleOptions {
-  TriangleMethod method = TriangleMethod::kPair;    // the fewest changes
-  Leftover leftover = Leftover::kWalk;              // all quads
-  PairKind pairs = PairKind::kAuto;                 // see there
-  PairWeight weight = PairWeight::kShape;           // what solvers want
-  MatchingEffort effort = MatchingEffort::kNear;    // 60% of the time for 1% of the weight
-  double min_quality = 0;                           // no pair of a lesser quad_shape is made
-  std::span<const double> halfedge_weight = {};     // kGiven: >= 0; the greater, the sooner gone
+  TriangleMethod method = TriangleMethod::kPair;  // the fewest changes
+  Leftover leftover = Leftover::kWalk;            // all quads
+  PairKind pairs = PairKind::kAuto;               // see there
+  PairWeight weight = PairWeight::kShape;         // what solvers want
+  MatchingEffort effort = MatchingEffort::kNear;  // 60% of the time for 1% of the weight
+  double min_quality = 0;                         // the matching makes none of a lesser quad_shape
+  std::span<const double> halfedge_weight = {};   // kGiven: >= 0; the greater, the sooner gone
   OddBoundary odd_boundary = OddBoundary::kOnEdge;  // the shape of the region stays
   Progress progress = {};
 };

@@ -473,6 +473,10 @@ class Surfaces(Meshes):
         self.assertAlmostEqual(q["min_angle_degrees"], 90)
         self.assertAlmostEqual(q["max_angle_degrees"], 90)
 
+    def test_no_sharp_edges_in_the_plane(self):
+        self.write("s.obj", ODD)
+        self.assertIn("the mesh is planar", self.convert("s.obj", "--keep-angle", "30").stdout)
+
     def test_space(self):
         # A steep roof over two squares: in the plane its quads are squares, in space they are not.
         self.write("s.obj", "v 0 0 0\nv 1 0 2\nv 1 1 2\nv 0 1 0\nf 1 2 3 4\n")
