@@ -104,7 +104,11 @@ TEST(ConvexHexagon, Squeezed) {
   const auto huge = [](Point p) { return Point{(p.x - 2) * 0x1p1021, (p.y - 2) * 0x1p1021}; };
   const auto tiny = [](Point p) { return Point{p.x * 0x1p-1040, p.y * 0x1p-1040}; };
   const auto far = [](Point p) { return Point{p.x + 0x1p40, p.y - 0x1p40}; };
-  print("hexagons, mapped", expect_hexagons(5, 500, {squeezed, sheared, huge, tiny, far}));
+  const auto slanted = [](Point p) {  // slivers: 2^-44 of their length
+    const double e = std::ldexp(p.x, -44);
+    return Point{3 * p.y + e, 5 * p.y - e};
+  };
+  print("hexagons, mapped", expect_hexagons(5, 500, {squeezed, sheared, huge, tiny, far, slanted}));
 }
 
 /// A corner of the grid, moved by at most two steps of its doubles in x and in y.
