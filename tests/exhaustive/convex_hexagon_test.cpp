@@ -14,6 +14,7 @@
 #include <string>
 
 #include "convex/hexagon.hpp"
+#include "convex/hexagon_cases.hpp"
 #include "core/random.hpp"
 #include "support/convex_checks.hpp"
 #include "support/grid_polygons.hpp"
@@ -139,6 +140,25 @@ TEST(ConvexHexagon, NearlyFlatCorners) {
             << not_placed << ", not simple " << not_simple << "\n";
   EXPECT_GT(placed, 1000U);
   EXPECT_LT(not_placed, placed / 100);
+}
+
+/// The paper's first cuts, each in the middle of its region, are enough wherever no fewer points than
+/// the case's bound do.
+TEST(ConvexHexagon, CutAsInThePaper) {
+  std::size_t cut = 0;
+  testing::for_each_grid_polygon<6>(4, [&](const std::array<Point, 6>& ring) {
+    if (HasFailure()) return;
+    SCOPED_TRACE(words(ring));
+    convex::Hexagon hexagon;
+    for (std::uint32_t i = 0; i < 6; ++i) hexagon[i] = {ring[i], i};
+    const auto bound = static_cast<std::size_t>(convex::most_points(convex::pattern_of(hexagon)));
+    const auto patch = convex::patch_hexagon(ring);
+    ASSERT_TRUE(patch.has_value());
+    if (patch->steiner.size() < 2 || patch->steiner.size() < bound) return;
+    EXPECT_TRUE(patch->as_in_paper);
+    ++cut;
+  });
+  EXPECT_GT(cut, 10'000U);
 }
 
 /// A triangle A, B, C around a triangle A, D, E with the same corner A: what is between them is a
