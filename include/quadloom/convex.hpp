@@ -81,18 +81,4 @@ struct ConvexResult {
 ConvexResult convex_quadrangulation(std::span<const Point> input,
                                     const ConvexOptions& options = {});
 
-// ---- The sets that need many Steiner points, and their meshes with nearly as few. ----
-
-/// Theorem 2.2: v(1) ... v(m + 1) in order from left to right on a line, then a point above it and one
-/// below, as the generator bhrs-line gives them, m >= 4 (n = m + 3). At least ceil(m / 2) - 1 Steiner
-/// points are necessary; these are m/2 + 1, (m + 1)/2 + 1, m/2 + 2, (m + 1)/2 for m = 0, 1, 2, 3
-/// modulo 4. Throws Error kBadOption (too few points, or not such a set), kGuarantee (no doubles for a
-/// Steiner point).
-ConvexResult bhrs_line_mesh(std::span<const Point> points);
-
-/// Theorem 2.4: k >= 4 hull points counter-clockwise, then a point inside each hull edge, near enough
-/// to it (see the generator bhrs-ring), n = 2k. At least n/4 Steiner points are necessary; these are
-/// n/4 + 1 for even k, (k + 1)/2 and one triangle for odd k. Throws as bhrs_line_mesh.
-ConvexResult bhrs_ring_mesh(std::span<const Point> points);
-
 }  // namespace quadloom
