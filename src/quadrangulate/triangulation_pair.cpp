@@ -14,9 +14,9 @@
 //   5. cross_together         those that do not meet so cross quads with inner Steiner points
 //   6. or_with_fewer_points   if that took several points, the Q-percolation may do with fewer
 //
-// In the plane step 5 has not been seen to be needed after step 4. On a surface walks are allowed only where
-// it is rather flat. They could also make an edge twice there (in a closed part of few triangles); then
-// the work is done again without walks.
+// In the plane step 5 is seldom needed after step 4, as a rule in corridors of a triangle's width. On a
+// surface walks are allowed only where it is rather flat. They could also make an edge twice there (in a
+// closed part of few triangles); then the work is done again without walks.
 // Cost: near-linear in practice, see matching.md.
 #include "quadrangulate/triangulation_pair.hpp"
 
@@ -103,7 +103,7 @@ TriangleResult convert(const TriangleMesh& input, const Triangulation& cut,
   if (options.leftover == Leftover::kWalk || options.leftover == Leftover::kSteiner) {
     at_borders = make_parts_even(mesh, input, parts, walker, crossing, options.odd_boundary);
     if (options.leftover == Leftover::kWalk && walks == Walks::kAllowed) {
-      const auto rounds = mesh.planar() ? std::span<const WalkLimits>(kPlanarRounds)
+      const auto rounds = mesh.planar() ? std::span<const WalkLimits>(kCorridorRounds)
                                         : std::span<const WalkLimits>(kSurfaceRounds);
       walk_together(walker, mesh, rounds, options.progress);
     }

@@ -25,6 +25,20 @@ inline constexpr WalkLimits kPlanarRounds[] = {
     {WalkQuads::kAny, kNone, 255},
 };
 
+/// Where inner points may be added instead: in narrow corridors there often is no way, and searches of
+/// several visits would see all of the mesh again for each triangle.
+inline constexpr WalkLimits kCorridorRounds[] = {
+    {WalkQuads::kStrictlyConvex, 20},
+    {WalkQuads::kStrictlyConvex, 100},
+    {WalkQuads::kStrictlyConvex, 1'000},
+    {WalkQuads::kStrictlyConvex, 4'000, 2},
+    {WalkQuads::kAny, 1'000},
+    {WalkQuads::kAny, 100'000},
+    {WalkQuads::kAny, 200'000, 4},
+    {WalkQuads::kAny, 40'000, 16},
+    {WalkQuads::kAny, 20'000, 255},
+};
+
 /// On a surface a re-cut changes its shape, so only where it is rather flat (normals within 20 and
 /// then 45 degrees), and not far: a Steiner point keeps the shape.
 inline constexpr WalkLimits kSurfaceRounds[] = {
