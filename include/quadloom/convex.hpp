@@ -25,9 +25,9 @@ struct ConvexPatch {
 
 /// A hexagon, theorem 3.2 of Bremner, Hurtado, Ramaswami and Sacristan: at most 0 Steiner points for
 /// cccccc, 2 for rccccc, rrcccc and rccrcc, 3 for the others, as few as are found (no more than
-/// necessary where none or one is enough). None if its doubles are so close that no places were
-/// found; never a wrong patch, each is checked exactly. Throws Error kNotFinite, kBadPolygon (not
-/// simple, or clockwise). Constant time.
+/// necessary where none is enough, or one whose place is wider than rounding). None if its doubles are
+/// so close that no places were found; never a wrong patch, each is checked exactly. Throws Error
+/// kNotFinite, kBadPolygon (not simple, or clockwise). Constant time.
 std::optional<ConvexPatch> convexify_hexagon(const std::array<Point, 6>& corners);
 
 /// The same for a quad with a point strictly inside (theorem 3.8): 3 Steiner points, which is the
