@@ -25,7 +25,9 @@
 #include "convex/hexagon.hpp"
 #include "convex/quad.hpp"
 #include "core/random.hpp"
+#include "kernel/predicates_inline.hpp"
 #include "quadrangulate/diagonal_slides.hpp"
+#include "quadrangulate/steiner_crossing.hpp"
 #include "quadrangulate/walk_rounds.hpp"
 
 namespace quadloom::convex {
@@ -100,7 +102,8 @@ class Mender {
   void add_stars();
   void add_cases();
   bool add_case(TriangleId t);
-  VertexId add_inner(Point place, const std::array<VertexId, 3>& parents);
+  std::array<VertexId, 3> parents_of(Point s, std::span<const VertexId> corner) const;
+  VertexId add_inner(Point place, std::span<const VertexId> corner);
 
   PairedMesh& mesh_;
   Random random_;
@@ -155,9 +158,26 @@ std::size_t Mender::bad_in_cluster() const {
   return bad.size();
 }
 
-VertexId Mender::add_inner(Point place, const std::array<VertexId, 3>& parents) {
+/// Three of the corners that the point is between.
+std::array<VertexId, 3> Mender::parents_of(Point s, std::span<const VertexId> corner) const {
+  const auto left = [&](VertexId a, VertexId b) {
+    return kernel::orient(mesh_.point(a), mesh_.point(b), s) >= 0;
+  };
+  for (std::size_t k = 2; k < corner.size(); ++k) {
+    for (std::size_t j = 1; j < k; ++j) {
+      for (std::size_t i = 0; i < j; ++i) {
+        const VertexId a = corner[i], b = corner[j], c = corner[k];
+        if (left(a, b) && left(b, c) && left(c, a)) return {a, b, c};
+        if (left(a, c) && left(c, b) && left(b, a)) return {a, c, b};
+      }
+    }
+  }
+  return {corner[0], corner[1], corner[2]};
+}
+
+VertexId Mender::add_inner(Point place, std::span<const VertexId> corner) {
   const VertexId s = quadrangulate::add_vertex(mesh_, {place.x, place.y});
-  steiner_.push_back({s, SteinerKind::kInner, parents});
+  steiner_.push_back({s, SteinerKind::kInner, parents_of(place, corner)});
   return s;
 }
 
@@ -209,6 +229,12 @@ void Mender::walk() {
   quadrangulate::Walker walker(mesh_);
   quadrangulate::walk_together(walker, mesh_, kConvexRounds, {});
   quadrangulate::walk_together(walker, mesh_, kLastRounds, {});
+  // In corridors a walk can be stuck; the steps of crossings that need no point go on.
+  quadrangulate::SteinerCrossing crossing(mesh_);
+  for (const TriangleId t : quadrangulate::free_triangles(mesh_)) {
+    if (mesh_.is_free(t)) crossing.merge(t);
+  }
+  steiner_.insert(steiner_.end(), crossing.points().begin(), crossing.points().end());
   find_bad();
 }
 
@@ -239,7 +265,7 @@ void Mender::add_stars() {
     std::vector<VertexId> added;
     for (const Point s : best->added) {
       added.push_back(
-          add_inner(s, {best_cluster.corner[0], best_cluster.corner[1], best_cluster.corner[2]}));
+          add_inner(s, best_cluster.corner));
     }
     const auto first_new = static_cast<TriangleId>(mesh_.mate.size());
     part_cluster(mesh_, best_cluster, best->quads, added);
@@ -322,7 +348,7 @@ bool Mender::add_case(TriangleId t) {
   std::vector<VertexId> added = best_inner;
   for (const Point s : best->steiner) {
     added.push_back(
-        add_inner(s, {best_cluster.corner[0], best_cluster.corner[1], best_cluster.corner[2]}));
+        add_inner(s, best_cluster.corner));
   }
   std::vector<ClusterQuad> quads;
   for (const LocalQuad& q : best->quads) {

@@ -45,7 +45,7 @@ std::optional<Star> place_star(const std::array<Point, 6>& h) {
       best = Star{s, static_cast<std::uint8_t>(parity), cost};
     };
     consider(*first);
-    for (const Point s : region->places()) consider(s);
+    for (const Point s : region->places(Effort::kFloat)) consider(s);
   }
   return best;
 }

@@ -48,14 +48,15 @@ std::vector<TriangleId> near_hull(const PairedMesh& mesh, const HullOfMesh& hull
 }  // namespace
 
 std::optional<SteinerPoint> walk_to_hull(PairedMesh& mesh, Walker& walker, const HullOfMesh& hull,
-                                         std::span<const TriangleId> free, OddBoundary wish) {
+                                         std::span<const TriangleId> free,
+                                         std::span<const SteinerKind> kinds) {
   const std::vector<TriangleId> near = near_hull(mesh, hull, free);
   const std::pair<std::span<const TriangleId>, WalkQuads> tries[] = {
       {near, WalkQuads::kStrictlyConvex},
       {free, WalkQuads::kStrictlyConvex},
       {free, WalkQuads::kAny},
   };
-  for (const SteinerKind kind : kinds_by_wish(wish)) {
+  for (const SteinerKind kind : kinds) {
     std::optional<Point> place;
     const Walker::BoundaryGoal goal = {
         .cost =

@@ -25,10 +25,11 @@ class HullOfMesh {
   std::size_t size_ = 0;
 };
 
-/// Walks one of the free triangles to the hull edge where the Steiner point of the wished kind
-/// makes the best quad, and attaches it; if no hull edge has such a place, one of the other kind.
+/// Walks one of the free triangles to the hull edge where the Steiner point of the first kind makes the
+/// best quad, and attaches it; if no hull edge has such a place, one of the next kind.
 /// Empty if no walk or no place was found.
 std::optional<SteinerPoint> walk_to_hull(PairedMesh& mesh, Walker& walker, const HullOfMesh& hull,
-                                         std::span<const TriangleId> free, OddBoundary wish);
+                                         std::span<const TriangleId> free,
+                                         std::span<const SteinerKind> kinds);
 
 }  // namespace quadloom::quadrangulate

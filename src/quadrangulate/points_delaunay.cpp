@@ -22,48 +22,17 @@
 // searches; near-linear in practice.
 #include "quadrangulate/points_delaunay.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "quadloom/dual.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadrangulate/diagonal_slides.hpp"
 #include "quadrangulate/hull_walk.hpp"
+#include "quadrangulate/odd_boundary.hpp"
 #include "quadrangulate/walk_rounds.hpp"
 
 namespace quadloom::quadrangulate {
 namespace {
-
-/// The input's vertices in the order in which the triangles name them, so that neighbours in the
-/// plane are neighbours in memory: the triangles are in spatial order already, the input need not
-/// be. Takes a third off the time of the walks.
-class VertexOrder {
- public:
-  explicit VertexOrder(Triangulation& mesh) : given_(mesh.points) {
-    std::vector<VertexId> place(given_.size(), kNone);
-    for (VertexId& v : mesh.tri_vertex) {
-      if (place[v] == kNone) {
-        place[v] = static_cast<VertexId>(order_.size());
-        mesh.points[place[v]] = given_[v];
-        order_.push_back(v);
-      }
-      v = place[v];
-    }
-  }
-
-  VertexId given(VertexId v) const { return v < order_.size() ? order_[v] : v; }
-
-  /// Back to the input's order; Steiner points keep their places behind.
-  void restore(Quadrangulation& mesh) const {
-    for (VertexId& v : mesh.quad_vertex) v = given(v);
-    for (VertexId& v : mesh.tri_vertex) v = given(v);
-    std::copy(given_.begin(), given_.end(), mesh.points.begin());
-  }
-
- private:
-  std::vector<Point> given_;
-  std::vector<VertexId> order_;
-};
 
 PairedMesh pair_by_shape(Triangulation&& delaunay) {
   std::vector<HalfedgeId> mate = greedy_shape_matching(delaunay).mate;
@@ -72,39 +41,49 @@ PairedMesh pair_by_shape(Triangulation&& delaunay) {
 
 }  // namespace
 
-std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
-                                                    const PointOptions& options) {
-  PointResult result;
-  result.input_vertices = delaunay.points.size();
+std::optional<DelaunayQuads> delaunay_quads(Triangulation&& delaunay, const PointOptions& options,
+                                            std::span<const SteinerKind> kinds) {
+  DelaunayQuads out;
+  out.input_vertices = delaunay.points.size();
   report_progress(options.progress, "pairing", 0);
-  const VertexOrder order(delaunay);
-  PairedMesh mesh = pair_by_shape(std::move(delaunay));
+  out.order = VertexOrder(delaunay);
+  PairedMesh& mesh = out.mesh;
+  mesh = pair_by_shape(std::move(delaunay));
   const std::vector<TriangleId> free = free_triangles(mesh);
-  result.statistics.unmatched_greedy = free.size();
+  out.statistics.unmatched_greedy = free.size();
 
   Walker walker(mesh);
   const HullOfMesh hull(mesh.tri);
-  result.statistics.hull_points = hull.size();
+  out.statistics.hull_points = hull.size();
   const bool odd = hull.size() % 2 == 1;
-  if (odd && options.odd_boundary != OddBoundary::kTriangle) {
-    auto placed = walk_to_hull(mesh, walker, hull, free, options.odd_boundary);
-    if (!placed) return std::nullopt;
-    for (VertexId& parent : placed->parents) {
-      if (parent != kNone) parent = order.given(parent);
-    }
-    result.steiner.push_back(*placed);
+  if (odd && !kinds.empty()) {
+    out.steiner = walk_to_hull(mesh, walker, hull, free, kinds);
+    if (!out.steiner && kinds.size() == 2) return std::nullopt;  // both kinds: there is always one
   }
   walk_together(walker, mesh, kPlanarRounds, options.progress);
   const std::size_t left = free_triangles(mesh).size();
-  if (left != (odd && options.odd_boundary == OddBoundary::kTriangle ? 1U : 0U))
-    return std::nullopt;
+  if (left != (odd && !out.steiner ? 1U : 0U)) return std::nullopt;
 
   report_progress(options.progress, "improving", 0);
-  result.statistics.slides = slide_diagonals(mesh);
-  result.statistics.walks = walker.walks();
-  result.statistics.walk_steps = walker.steps();
-  result.mesh = to_quadrangulation(mesh);
-  order.restore(result.mesh);
+  out.statistics.slides = slide_diagonals(mesh);
+  out.statistics.walks = walker.walks();
+  out.statistics.walk_steps = walker.steps();
+  return out;
+}
+
+std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
+                                                    const PointOptions& options) {
+  const auto wish = kinds_by_wish(options.odd_boundary);
+  std::span<const SteinerKind> kinds = wish;
+  if (options.odd_boundary == OddBoundary::kTriangle) kinds = {};
+  const auto quads = delaunay_quads(std::move(delaunay), options, kinds);
+  if (!quads) return std::nullopt;
+  PointResult result;
+  result.input_vertices = quads->input_vertices;
+  result.statistics = quads->statistics;
+  if (quads->steiner) result.steiner.push_back(quads->order.given(*quads->steiner));
+  result.mesh = to_quadrangulation(quads->mesh);
+  quads->order.restore(result.mesh);
   return result;
 }
 

@@ -30,6 +30,7 @@
 #include "kernel/squareness.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadrangulate/hull_walk.hpp"
+#include "quadrangulate/odd_boundary.hpp"
 #include "quadrangulate/walk.hpp"
 
 namespace quadloom::quadrangulate {
@@ -352,7 +353,8 @@ std::optional<PointResult> insert_in_order(PairedMesh mesh, const PointOptions& 
   Inserter inserter(mesh, walker, inner);
   if (hull.size() % 2 == 1 && options.odd_boundary != OddBoundary::kTriangle) {
     const TriangleId first = 0;
-    const auto placed = walk_to_hull(mesh, walker, hull, {&first, 1}, options.odd_boundary);
+    const auto placed =
+        walk_to_hull(mesh, walker, hull, {&first, 1}, kinds_by_wish(options.odd_boundary));
     if (!placed) return std::nullopt;
     result.steiner.push_back(*placed);
     const auto added = static_cast<TriangleId>(mesh.mate.size() - 1);

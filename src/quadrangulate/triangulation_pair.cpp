@@ -92,9 +92,9 @@ void require_no_rest(const PairedMesh& mesh) {
               {t});
 }
 
-TriangleResult convert(const TriangleMesh& input, const Triangulation& cut,
-                       const TriangleMatching& matching, const TriangleOptions& options,
-                       Walks walks) {
+PairedTriangles convert(const TriangleMesh& input, const Triangulation& cut,
+                        const TriangleMatching& matching, const TriangleOptions& options,
+                        Walks walks) {
   const MeshParts parts = parts_of(cut);
   PairedMesh mesh = paired_mesh(input, cut, matching);
   Walker walker(mesh);
@@ -112,16 +112,21 @@ TriangleResult convert(const TriangleMesh& input, const Triangulation& cut,
     if (options.odd_boundary != OddBoundary::kTriangle) require_no_rest(mesh);
   }
 
-  TriangleResult result = to_triangle_result(std::move(mesh), input.mesh.points.size());
-  result.steiner = std::move(at_borders);
-  result.steiner.insert(result.steiner.end(), crossing.points().begin(), crossing.points().end());
+  PairedTriangles result{std::move(mesh), std::move(at_borders), matching.barrier, {}};
+  const auto& inner = crossing.points();
+  result.steiner.insert(result.steiner.end(), inner.begin(), inner.end());
   std::sort(result.steiner.begin(), result.steiner.end(),
             [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+  result.statistics.triangles = input.mesh.triangle_count();
+  result.statistics.boundary_edges = border_size(input.mesh);
+  result.statistics.parts = parts.count();
+  result.statistics.odd_parts = parts.odd_count();
+  result.statistics.unmatched = matching.unmatched;
+  result.statistics.parted = matching.parted;
   result.statistics.walks = walker.walks();
   result.statistics.walk_steps = walker.steps();
   result.statistics.crossings = crossing.crossings();
-  result.statistics.parts = parts.count();
-  result.statistics.odd_parts = parts.odd_count();
+  result.statistics.weight_gap = matching.weight_gap;
   return result;
 }
 
@@ -134,6 +139,9 @@ TriangleResult or_with_fewer_points(TriangleResult&& result, const TriangleMesh&
   try {
     TriangleResult other = q_percolate_triangulation(input, quarter);
     if (other.steiner.size() < result.steiner.size() && other.mesh.triangle_count() == 0) {
+      other.barrier = std::move(result.barrier);
+      other.statistics.unmatched = result.statistics.unmatched;
+      other.statistics.weight_gap = result.statistics.weight_gap;
       return other;
     }
   } catch (const Error& error) {
@@ -144,24 +152,27 @@ TriangleResult or_with_fewer_points(TriangleResult&& result, const TriangleMesh&
 
 }  // namespace
 
-TriangleResult pair_triangulation(const TriangleMesh& input, const TriangleOptions& options) {
+PairedTriangles pair_triangles(const TriangleMesh& input, const TriangleOptions& options) {
   const Triangulation cut = cut_along_kept_edges(input);
   report_progress(options.progress, "pairing", 0);
   const TriangleMatching matching = match_triangles(input, cut, options);
   if (options.leftover == Leftover::kError && matching.unmatched > 0) refuse(matching);
 
-  TriangleResult result = convert(input, cut, matching, options, Walks::kAllowed);
-  if (!input.z.empty() && result.statistics.walks > 0 && has_double_edge(result.mesh)) {
+  PairedTriangles result = convert(input, cut, matching, options, Walks::kAllowed);
+  if (!input.z.empty() && result.statistics.walks > 0 &&
+      has_double_edge(to_quadrangulation(result.mesh))) {
     result = convert(input, cut, matching, options, Walks::kForbidden);
   }
-  result = or_with_fewer_points(std::move(result), input, options);
-  result.barrier = matching.barrier;
-  result.statistics.triangles = input.mesh.triangle_count();
-  result.statistics.boundary_edges = border_size(input.mesh);
-  result.statistics.unmatched = matching.unmatched;
-  result.statistics.parted = matching.parted;
-  result.statistics.weight_gap = matching.weight_gap;
   return result;
+}
+
+TriangleResult pair_triangulation(const TriangleMesh& input, const TriangleOptions& options) {
+  PairedTriangles paired = pair_triangles(input, options);
+  TriangleResult result = to_triangle_result(std::move(paired.mesh), input.mesh.points.size());
+  result.steiner = std::move(paired.steiner);
+  result.barrier = std::move(paired.barrier);
+  result.statistics = paired.statistics;
+  return or_with_fewer_points(std::move(result), input, options);
 }
 
 }  // namespace quadloom::quadrangulate
