@@ -45,7 +45,8 @@ namespace {
 constexpr int kMostCycles = 200;  // of wandering and walks
 constexpr int kLeastCycles = 6;
 constexpr std::size_t kCycleTriangles = 12'000'000;  // triangles times cycles, between the two
-constexpr int kPatience = 40;                        // cycles without a bad quad less
+constexpr int kPatience = 40;                        // cycles without a bad quad less, at most
+constexpr std::size_t kTrianglesPerCycle = 25;       // small meshes have seen it all sooner
 constexpr int kRounds = 20;                          // of wandering in a cycle
 constexpr std::size_t kLargest = 8;                  // quads of a cluster
 constexpr std::size_t kLargestStar = 5;
@@ -185,9 +186,11 @@ void Mender::move() {
   const std::size_t most_work = std::max(kLeastWork, mesh_.mate.size() / 4);
   const int cycles =
       std::clamp(static_cast<int>(kCycleTriangles / mesh_.mate.size()), kLeastCycles, kMostCycles);
+  const int patience =
+      std::clamp(static_cast<int>(mesh_.mate.size() / kTrianglesPerCycle), 4, kPatience);
   std::size_t fewest = bad_.size();
   int since = 0;
-  for (int cycle = 0; cycle < cycles && !bad_.empty() && work_ < most_work && since < kPatience;
+  for (int cycle = 0; cycle < cycles && !bad_.empty() && work_ < most_work && since < patience;
        ++cycle, ++since) {
     report_progress(progress_, "mending", static_cast<double>(cycle) / cycles);
     for (int round = 0; round < kRounds && !bad_.empty(); ++round) {
@@ -264,8 +267,7 @@ void Mender::add_stars() {
     }
     std::vector<VertexId> added;
     for (const Point s : best->added) {
-      added.push_back(
-          add_inner(s, best_cluster.corner));
+      added.push_back(add_inner(s, best_cluster.corner));
     }
     const auto first_new = static_cast<TriangleId>(mesh_.mate.size());
     part_cluster(mesh_, best_cluster, best->quads, added);
@@ -347,8 +349,7 @@ bool Mender::add_case(TriangleId t) {
   if (!best) return false;
   std::vector<VertexId> added = best_inner;
   for (const Point s : best->steiner) {
-    added.push_back(
-        add_inner(s, best_cluster.corner));
+    added.push_back(add_inner(s, best_cluster.corner));
   }
   std::vector<ClusterQuad> quads;
   for (const LocalQuad& q : best->quads) {

@@ -75,7 +75,7 @@ class EvenParts {
   void split_other_side(PartId other, VertexId a, VertexId b, VertexId s);
   HalfedgeId bring(PartId part, const Walker::BoundaryGoal& goal);
   void free_one_at(PartId part, const Walker::BoundaryGoal& goal);
-  std::vector<TriangleId> free_of(PartId part) const;
+  const std::vector<TriangleId>& free_of(PartId part);
   void note_added(PartId part);
   template <class Visit>
   void for_each_triangle(PartId part, Visit visit) const;
@@ -97,7 +97,7 @@ class EvenParts {
   std::vector<std::pair<PartId, PartId>> neighbours_;  // ascending, each pair once both ways
   std::vector<TriangleId> by_part_;                    // the triangles of the parts, in order
   std::vector<std::uint32_t> begin_;                   // of each part in by_part_
-  std::unordered_map<PartId, std::vector<TriangleId>> added_;
+  std::unordered_map<PartId, std::vector<TriangleId>> added_, free_;
   std::vector<PartId> part_;  // of each triangle
   std::optional<OuterPlaces> outer_;
 };
@@ -115,6 +115,9 @@ void EvenParts::find_borders() {
   std::sort(neighbours_.begin(), neighbours_.end());
   neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
 
+  for (TriangleId t = 0; t < mesh_.mate.size(); ++t) {
+    if (mesh_.is_free(t)) free_[part_[t]].push_back(t);
+  }
   begin_.assign(parts_.count() + 1, 0);
   for (std::size_t p = 0; p < parts_.count(); ++p) begin_[p + 1] = begin_[p] + parts_.triangles[p];
   by_part_.resize(part_.size());
@@ -248,7 +251,7 @@ void EvenParts::split_other_side(PartId other, VertexId a, VertexId b, VertexId 
 /// A free triangle of the part goes to a border edge; its halfedge there, or kNone.
 HalfedgeId EvenParts::bring(PartId part, const Walker::BoundaryGoal& goal) {
   if (free_of(part).empty()) free_one_at(part, goal);
-  const std::vector<TriangleId> starts = free_of(part);
+  const std::vector<TriangleId>& starts = free_of(part);
   const double flat = mesh_.planar() ? -1 : 0.94;
   for (const WalkQuads quads : {WalkQuads::kStrictlyConvex, WalkQuads::kAny}) {
     const HalfedgeId edge = walker_.reach_boundary(starts, goal, {quads, kNone, 1, flat});
@@ -273,7 +276,9 @@ void EvenParts::free_one_at(PartId part, const Walker::BoundaryGoal& goal) {
       if (goal.cost(a, b, mesh_.tri.apex(h)) >= 0) chosen = t;
     }
   });
-  if (chosen != kNone) mesh_.unpair(chosen);
+  if (chosen == kNone) return;
+  free_[part] = {chosen, triangle_of(mesh_.tri.twin[mesh_.mate[chosen]])};
+  mesh_.unpair(chosen);
 }
 
 template <class Visit>
@@ -284,11 +289,10 @@ void EvenParts::for_each_triangle(PartId part, Visit visit) const {
   }
 }
 
-std::vector<TriangleId> EvenParts::free_of(PartId part) const {
-  std::vector<TriangleId> free;
-  for_each_triangle(part, [&](TriangleId t) {
-    if (mesh_.is_free(t)) free.push_back(t);
-  });
+/// The free triangles of the part. A walk or a crossing that ends at a border leaves the others as they are.
+const std::vector<TriangleId>& EvenParts::free_of(PartId part) {
+  std::vector<TriangleId>& free = free_[part];
+  std::erase_if(free, [this](TriangleId t) { return !mesh_.is_free(t); });
   return free;
 }
 

@@ -15,6 +15,7 @@ using testing::Room;
 void expect_strictly_convex(const std::vector<Point>& points, Room room = Room::kEnough) {
   for (const OddBoundary odd : {OddBoundary::kTriangle, OddBoundary::kOutside}) {
     ConvexOptions options;
+    options.method = ConvexMethod::kSpiral;
     options.odd_boundary = odd;
     testing::expect_convex_quads(points, options, convex_quadrangulation(points, options), room);
   }
@@ -71,9 +72,9 @@ TEST(ConvexSpiral, OnNestedTriangles) {
 
 TEST(ConvexSpiral, FewPoints) {
   const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_EQ(convex_quadrangulation(square).steiner.size(), 0U);
+  EXPECT_EQ(convex_quadrangulation(square, {.method = ConvexMethod::kSpiral}).steiner.size(), 0U);
   const std::vector<Point> flat = {{0, 0}, {1, 0}, {2, 0}, {0, 1}};
-  EXPECT_EQ(convex_quadrangulation(flat).steiner.size(), 4U);
+  EXPECT_EQ(convex_quadrangulation(flat, {.method = ConvexMethod::kSpiral}).steiner.size(), 4U);
   expect_strictly_convex(flat);
   expect_strictly_convex({{0, 0}, {1, 0}, {0, 1}});
   expect_strictly_convex({{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0.25, 0.25}});
