@@ -113,4 +113,53 @@ ConvexMeshResult convex_quadrangulation(const TriangleMesh& input,
                                         const TriangleOptions& options = {},
                                         std::uint64_t seed = 1);
 
+// ---- Small point sets, exactly. ----
+
+enum class Answer { kNo, kYes, kUnknown };
+
+struct ExactConvexOptions {
+  std::size_t points_at_most = 16;          // more can take seconds; 20 at most
+  std::uint64_t work_at_most = 50'000'000;  // faces tried; about ten seconds
+  Progress progress = {};
+};
+
+/// What is known of all quadrangulations of a point set without Steiner points: all distinct points
+/// are vertices, those inside hull edges too; the faces are simple quads, of any shape, and if an odd
+/// number of points is on the hull, one triangle.
+struct ExactConvexResult {
+  Answer convex = Answer::kUnknown;        ///< is there one in which all quads are strictly convex?
+  std::optional<std::size_t> most_convex;  ///< the greatest number of strictly convex quads in one;
+                                           ///< none: unknown
+  std::size_t quads = 0;                   ///< in each one: n - 1 - h / 2, rounded down if h is odd
+  std::size_t hull_points = 0;
+  Quadrangulation mesh;  ///< one with most_convex such quads; empty if that is unknown
+  std::vector<VertexId> input_to_vertex;  ///< one per input point, duplicates merged
+  std::uint64_t work = 0;                 ///< faces tried
+};
+
+/// The answers by exhaustive search; exact predicates decide. kUnknown and none if the work ran out.
+/// Throws Error kBadOption for points_at_most above 20 and for more distinct points than that;
+/// kNotFinite, kTooFewPoints, kAllCollinear, kCancelled. Exponential in n.
+ExactConvexResult exact_convex_quadrangulation(std::span<const Point> input,
+                                               const ExactConvexOptions& options = {});
+
+// ---- The sets that need the most Steiner points known, and their meshes. ----
+
+/// The mesh of theorem 2.2 of Bremner, Hurtado, Ramaswami and Sacristan for their set that needs
+/// ceil(m / 2) - 1 Steiner points: m + 1 points in order on a line, then one on its left and one on its
+/// right such that the hull has four corners, as generate_points("bhrs-line", m + 3) gives them. All
+/// quads strictly convex, inner Steiner points after the points given: for m >= 3 m / 2 + 1,
+/// (m + 3) / 2, m / 2 + 2, (m + 1) / 2 of them for m mod 4 = 0, 1, 2, 3; 3 for m = 2, 0 for m = 1.
+/// Throws Error kBadOption if the points are not such a set, kGuarantee if no doubles are in a place
+/// that a Steiner point needs, kNotFinite. O(n log n).
+Quadrangulation mesh_of_bhrs_line(std::span<const Point> points);
+
+/// The mesh of theorem 2.4 for their set that needs n / 4: k = n / 2 >= 3 points in strictly convex
+/// position, counter-clockwise, then one for each hull edge a(i) a(i + 1), so near to it that no other
+/// point is on its side of the lines to the edge's ends, as generate_points("bhrs-ring", n) gives
+/// them. All faces but one triangle for odd k are strictly convex quads; n / 4 + 1 inner Steiner points
+/// for even k, ceil(n / 4) for odd k. Throws as mesh_of_bhrs_line; kGuarantee also if the mean of the
+/// hull's corners cannot be the central Steiner point. O(n log n).
+Quadrangulation mesh_of_bhrs_ring(std::span<const Point> points);
+
 }  // namespace quadloom
