@@ -15,13 +15,18 @@
 //                      the quads are then strictly convex
 //   5. add_side        above the line one quad between each two neighbouring edges to t, and below to s
 //
-//            t                    Above a square between a p and none:       t p v(j) v(j + 1)
-//          / | \                  Above two diamonds next to each other:     t p v(j) p'
-//        /   p   \                A diamond with p above:                    v(j) s v(j + 1) p
-//      /   /   \   \              A diamond with p below:                    v(j) p v(j + 1) t
-//   v1---v2     v3---v4           Two squares with no p next to each other would make triangles; that
-//      \   `.  .'  /              does not come up (step 3: between two squares is a diamond, and above
-//       b-----s . . .             it or below it is a p; e(1) is closed below by b).
+//      t ------- t ------ t ------- t ------ t        t and s are drawn as bars
+//      |         |        |         |        |
+//      |         p        |         |        |        p   of a diamond, above: v2 s v3 p
+//      |       /   \      |         |        |
+//      v1 --- v2    v3 -- v4       v5 ------ v6 ...
+//      |      |     |       \     /          |
+//      b      |     |          q             |        q   of a diamond, below: v4 q v5 t
+//      |      |     |          |             |
+//      s ---- s --- s -------- s ----------- s
+//
+// A square has exactly one p beside it above and one below (b for the outermost): the diamonds at its two
+// ends have theirs on different sides, and e(1) and e(m) are next to a diamond with p above.
 //
 // So that the same walk does both sides, b stands for the p below the places before e(1) and after e(m).
 // Differs from the paper: for m = 2 the triangle of step 2 is empty; there the quad with a point inside
