@@ -102,6 +102,33 @@ TEST(ExactPoints, RandomSetsOfTwelve) {
             << " faces tried\n";
 }
 
+/// Where a mesh without Steiner points is found by other means, the search must say yes.
+TEST(ExactPoints, NoMethodDoesWhatIsNotThere) {
+  std::size_t found = 0, there = 0, sets = 0;
+  for (std::uint64_t mask = 0; mask < 1U << 12; mask += 5) {
+    const auto points = testing::grid_subset(4, mask);
+    if (points.size() < 3 || testing::all_collinear(points)) continue;
+    SCOPED_TRACE("subset " + std::to_string(mask));
+    const Answer answer = exact_convex_quadrangulation(points).convex;
+    ++sets;
+    there += answer == Answer::kYes ? 1 : 0;
+    bool by_method = false;
+    for (const ConvexMethod method : {ConvexMethod::kDelaunay, ConvexMethod::kSpiral}) {
+      ConvexOptions options;
+      options.method = method;
+      options.odd_boundary = OddBoundary::kTriangle;
+      const ConvexResult result = convex_quadrangulation(points, options);
+      by_method = by_method || (result.steiner.empty() && result.not_convex.empty());
+    }
+    found += by_method ? 1 : 0;
+    EXPECT_TRUE(!by_method || answer == Answer::kYes);
+    if (HasFailure()) return;
+  }
+  std::cout << sets << " sets, " << there << " with strictly convex quads alone, " << found
+            << " of them found by a method\n";
+  EXPECT_GT(found, 0U);
+}
+
 Answer convex_answer(const std::vector<Point>& points) {
   const ExactConvexResult result = exact_convex_quadrangulation(points);
   expect_consistent(points, result);
