@@ -17,8 +17,8 @@ constexpr double kImpossible = 1e18;
 
 class Programme {
  public:
-  Programme(std::span<const Point> polygon, const std::function<double()>& noise)
-      : p_(polygon), n_(polygon.size()), noise_(noise) {
+  Programme(std::span<const Point> polygon, const std::function<double(double)>& price_of)
+      : p_(polygon), n_(polygon.size()), price_of_(price_of) {
     find_turns();
     find_diagonals();
   }
@@ -63,7 +63,7 @@ class Programme {
 
   std::span<const Point> p_;
   std::size_t n_;
-  const std::function<double()>& noise_;
+  const std::function<double(double)>& price_of_;
   std::array<std::int8_t, kMostCorners * kMostCorners * kMostCorners> turn_;
   std::array<std::uint8_t, kMostCorners* kMostCorners> diagonal_ = {};
   std::array<Best, kMostCorners * kMostCorners> best_;
@@ -135,7 +135,7 @@ double Programme::quad_cost(std::size_t i, std::size_t a, std::size_t b, std::si
   const bool convex =
       turn(j, i, a) > 0 && turn(i, a, b) > 0 && turn(a, b, j) > 0 && turn(b, j, i) > 0;
   if (!convex) return kBadQuad;
-  return 1 - kernel::squareness(p_[i], p_[a], p_[b], p_[j]) + noise_();
+  return price_of_(kernel::squareness(p_[i], p_[a], p_[b], p_[j]));
 }
 
 void Programme::try_quads(std::size_t i, std::size_t j) {
@@ -202,8 +202,8 @@ void Programme::collect(Parting& out) {
 }  // namespace
 
 std::optional<Parting> best_parting(std::span<const Point> polygon, double limit, Stars stars,
-                                    const std::function<double()>& noise) {
-  return Programme(polygon, noise).run(limit, stars);
+                                    const std::function<double(double)>& price_of) {
+  return Programme(polygon, price_of).run(limit, stars);
 }
 
 }  // namespace quadloom::convex

@@ -29,10 +29,10 @@ enum class Stars { kNone, kAllowed };
 
 /// The cheapest parting of a simple polygon (counter-clockwise, an even number of corners, at most
 /// kMostCorners) into quads with corners of the polygon: first the fewest bad quads, then the fewest stars, then
-/// the sum of 1 - squareness plus noise(quad). None if there is no parting at all, or if it would cost
+/// the sum of the prices of the quads by their squareness. None if there is no parting at all, or if it would cost
 /// `limit` or more. The exact predicates decide what fits in. O(n^4), with stars O(n^6) in theory.
 inline constexpr std::size_t kMostCorners = 20;
 std::optional<Parting> best_parting(std::span<const Point> polygon, double limit, Stars stars,
-                                    const std::function<double()>& noise);
+                                    const std::function<double(double)>& price_of);
 
 }  // namespace quadloom::convex

@@ -11,7 +11,8 @@
 //   4. add_stars     for each that is left the best of many clusters with one added point
 //   5. add_cases     for what is left after that the union with a neighbour, as in the paper's cases: at most
 //                    three points (Bremner, Hurtado, Ramaswami and Sacristan, theorem 3.8)
-//   6. slide         shapes suffer from the wandering; a slide never makes a quad bad
+//   6. improve       shapes suffer from the wandering: diagonal slides, clusters around poor quads parted
+//                    better, and the added points moved, all without a quad that is not strictly convex
 //
 // The work of steps 2 and 3 is limited by the size of the mesh; on small meshes they run long.
 // Degenerate input: flat corners count as bad, decided exactly; rows of collinear points lock many quads. A
@@ -23,6 +24,8 @@
 
 #include "convex/best_parting.hpp"
 #include "convex/hexagon.hpp"
+#include "convex/polish.hpp"
+#include "convex/price.hpp"
 #include "convex/quad.hpp"
 #include "core/random.hpp"
 #include "kernel/predicates_inline.hpp"
@@ -45,6 +48,7 @@ namespace {
 constexpr int kMostCycles = 200;  // of wandering and walks
 constexpr int kLeastCycles = 6;
 constexpr std::size_t kCycleTriangles = 12'000'000;  // triangles times cycles, between the two
+constexpr double kUsualPrice = 0.8;                  // of a quad
 constexpr int kPatience = 40;                        // cycles without a bad quad less, at most
 constexpr std::size_t kTrianglesPerCycle = 25;       // small meshes have seen it all sooner
 constexpr int kRounds = 20;                          // of wandering in a cycle
@@ -81,7 +85,7 @@ class Mender {
     for (int round = 0; round < 3 && !bad_.empty(); ++round) add_stars();
     add_cases();
     statistics_.left = bad_.size();
-    quadrangulate::slide_diagonals(mesh_);
+    improve();
     return statistics_;
   }
 
@@ -97,11 +101,15 @@ class Mender {
   bool grow(TriangleId t, std::size_t quads);
   std::vector<Point> polygon() const;
   std::size_t bad_in_cluster() const;
+  void touch(std::span<const TriangleId> triangles) {
+    touched_.insert(touched_.end(), triangles.begin(), triangles.end());
+  }
   void move();
   void wander(Wish wish);
   void walk();
   void add_stars();
   void add_cases();
+  void improve();
   bool add_case(TriangleId t);
   std::array<VertexId, 3> parents_of(Point s, std::span<const VertexId> corner) const;
   VertexId add_inner(Point place, std::span<const VertexId> corner);
@@ -112,6 +120,7 @@ class Mender {
   std::vector<SteinerPoint>& steiner_;
   const Progress& progress_;
   std::vector<TriangleId> bad_;  // by name_of_quad; some may have become good since
+  std::vector<TriangleId> touched_;
   std::size_t work_ = 0;
   MendStatistics statistics_;
 };
@@ -159,21 +168,29 @@ std::size_t Mender::bad_in_cluster() const {
   return bad.size();
 }
 
-/// Three of the corners that the point is between.
+/// Three of the corners that the point is between, far apart.
 std::array<VertexId, 3> Mender::parents_of(Point s, std::span<const VertexId> corner) const {
-  const auto left = [&](VertexId a, VertexId b) {
-    return kernel::orient(mesh_.point(a), mesh_.point(b), s) >= 0;
+  std::array<VertexId, 3> best = {corner[0], corner[1], corner[2]};
+  double largest = -1;
+  const auto consider = [&](VertexId a, VertexId b, VertexId c) {
+    const Point p = mesh_.point(a), q = mesh_.point(b), r = mesh_.point(c);
+    if (kernel::orient(p, q, s) < 0 || kernel::orient(q, r, s) < 0 || kernel::orient(r, p, s) < 0) {
+      return;
+    }
+    const double area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    if (area <= largest || kernel::orient(p, q, r) <= 0) return;
+    largest = area;
+    best = {a, b, c};
   };
   for (std::size_t k = 2; k < corner.size(); ++k) {
     for (std::size_t j = 1; j < k; ++j) {
       for (std::size_t i = 0; i < j; ++i) {
-        const VertexId a = corner[i], b = corner[j], c = corner[k];
-        if (left(a, b) && left(b, c) && left(c, a)) return {a, b, c};
-        if (left(a, c) && left(c, b) && left(b, a)) return {a, c, b};
+        consider(corner[i], corner[j], corner[k]);
+        consider(corner[i], corner[k], corner[j]);
       }
     }
   }
-  return {corner[0], corner[1], corner[2]};
+  return best;
 }
 
 VertexId Mender::add_inner(Point place, std::span<const VertexId> corner) {
@@ -211,11 +228,14 @@ void Mender::wander(Wish wish) {
       continue;
     }
     const std::size_t before = bad_in_cluster();
-    const auto noise = [&] { return wish == Wish::kRandom ? random_.uniform() : 0; };
+    const auto price_of = [&](double squareness) {
+      return wish == Wish::kRandom ? 1 - squareness + random_.uniform() : price(squareness);
+    };
     const auto parting =
-        best_parting(polygon(), kBadQuad * static_cast<double>(before + 1), Stars::kNone, noise);
+        best_parting(polygon(), kBadQuad * static_cast<double>(before + 1), Stars::kNone, price_of);
     if (parting && (wish == Wish::kRandom || parting->bad_quads() < before)) {
       part_cluster(mesh_, grower_.cluster(), parting->quads, {});
+      touch(grower_.cluster().slot);
       ++statistics_.clusters;
     }
     note_bad(grower_.cluster().slot, next);
@@ -230,6 +250,7 @@ void Mender::walk() {
     if (is_bad(t)) mesh_.unpair(t);
   }
   quadrangulate::Walker walker(mesh_);
+  walker.on_recut = [this](std::span<const TriangleId> triangles) { touch(triangles); };
   quadrangulate::walk_together(walker, mesh_, kConvexRounds, {});
   quadrangulate::walk_together(walker, mesh_, kLastRounds, {});
   // In corridors a walk can be stuck; the steps of crossings that need no point go on.
@@ -250,12 +271,11 @@ void Mender::add_stars() {
     Cluster best_cluster;
     for (int i = 0; i < kStarTries && grow(t, 2 + random_.below(kLargestStar - 1)); ++i) {
       const auto before = static_cast<double>(bad_in_cluster());
-      auto parting =
-          best_parting(polygon(), kBadQuad * before, Stars::kAllowed, [] { return 0.0; });
+      auto parting = best_parting(polygon(), kBadQuad * before, Stars::kAllowed, price);
       if (!parting) continue;
       // Bad quads gone, for few points, and shapes by the size of the cluster.
-      const double gain =
-          before * kBadQuad - parting->cost + static_cast<double>(grower_.cluster().quad_count());
+      const double gain = before * kBadQuad - parting->cost +
+                          kUsualPrice * static_cast<double>(grower_.cluster().quad_count());
       if (gain <= best_gain) continue;
       best_gain = gain;
       best = std::move(parting);
@@ -273,6 +293,7 @@ void Mender::add_stars() {
     part_cluster(mesh_, best_cluster, best->quads, added);
     ++statistics_.stars;
     for (TriangleId u = first_new; u < mesh_.mate.size(); ++u) best_cluster.slot.push_back(u);
+    touch(best_cluster.slot);
     note_bad(best_cluster.slot, next);
   }
   bad_ = std::move(next);
@@ -357,7 +378,14 @@ bool Mender::add_case(TriangleId t) {
                      static_cast<std::uint8_t>(q[2]), static_cast<std::uint8_t>(q[3])});
   }
   part_cluster(mesh_, best_cluster, quads, added);
+  touch(best_cluster.slot);
   return true;
+}
+
+void Mender::improve() {
+  quadrangulate::slide_diagonals(mesh_);
+  polish_quads(mesh_, std::move(touched_), random_);
+  smooth_points(mesh_, steiner_);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "convex/open_region.hpp"
+#include "convex/price.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "kernel/squareness.hpp"
 
@@ -38,7 +39,7 @@ std::optional<Star> place_star(const std::array<Point, 6>& h) {
       for (std::size_t k = parity; k < 6; k += 2) {
         const double shape = kernel::squareness(s, h[k], h[(k + 1) % 6], h[(k + 2) % 6]);
         worst = std::min(worst, shape);
-        cost += 1 - shape;
+        cost += price(shape);
       }
       if (worst <= best_worst) return;
       best_worst = worst;

@@ -17,7 +17,7 @@ namespace quadloom::convex {
 struct Star {
   Point centre;
   std::uint8_t parity = 0;
-  double cost = 0;  ///< the sum of 1 - squareness
+  double cost = 0;  ///< the sum of the prices
 };
 
 /// The star whose worst quad is best among the places that were tried, for a simple hexagon
