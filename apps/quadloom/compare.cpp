@@ -26,7 +26,7 @@ constexpr PointMethod kAll[] = {PointMethod::kDelaunay, PointMethod::kInsertion,
                                 PointMethod::kSpiral, PointMethod::kSubdivide};
 
 struct Entry {
-  PointOptions options;
+  PointRun run;
   MadeMesh made;
 };
 
@@ -34,11 +34,11 @@ std::vector<Entry> run_all(const io::PointTable& table, const PointOptions& maki
   ProgressBar bar;
   std::vector<Entry> entries;
   for (const PointMethod method : kAll) {
-    PointOptions options = making;
-    options.method = method;
-    options.progress = bar.callback();
-    entries.push_back({options, make_mesh(table, options, 4)});
-    entries.back().options.progress = {};
+    PointRun run{making};
+    run.making.method = method;
+    run.making.progress = bar.callback();
+    entries.push_back({run, make_mesh(table, run)});
+    entries.back().run.making.progress = {};
   }
   return entries;
 }
@@ -66,7 +66,7 @@ void print_table(const std::vector<Entry>& entries) {
        [](const MadeMesh& m) { return std::string(m.certificate.ok() ? "yes" : "NO"); }},
   };
   fmt::print("{:<18}", "");
-  for (const Entry& e : entries) fmt::print("{:>12}", name_of(e.options.method));
+  for (const Entry& e : entries) fmt::print("{:>12}", name_of(e.run.making.method));
   for (const auto& [name, cell] : rows) {
     fmt::print("\n{:<18}", name);
     for (const Entry& e : entries) fmt::print("{:>12}", cell(e.made));
@@ -82,7 +82,7 @@ void write_sheet(const CompareVerbOptions& o, const std::vector<Entry>& entries)
     panel.options.width = 1200;
     panel.options.colour = o.colour;
     panel.options.title = fmt::format(
-        "{}: {} strictly convex, mean shape {:.2f}", name_of(e.options.method),
+        "{}: {} strictly convex, mean shape {:.2f}", name_of(e.run.making.method),
         percent(e.made.quality.strictly_convex, e.made.quality.quads), e.made.quality.mean_shape);
     panel.options.steiner = steiner_vertices(e.made);
     panels.push_back(std::move(panel));
@@ -94,7 +94,7 @@ void write_report(const CompareVerbOptions& o, const io::PointTable& table,
                   const std::vector<Entry>& entries) {
   if (o.report.empty()) return;
   Json json = report_head("compare", o.input.path, table.points.size());
-  for (const Entry& e : entries) json["meshes"].push_back(mesh_json(e.made, e.options, 4));
+  for (const Entry& e : entries) json["meshes"].push_back(mesh_json(e.made, e.run));
   io::write_text(o.report, json.dump(2) + "\n");
 }
 
@@ -106,11 +106,11 @@ int compare(const CompareVerbOptions& o) {
   print_table(entries);
   bool all_certified = true;
   for (const Entry& e : entries) {
-    if (const std::string lines = remarks(e.made, e.options); !lines.empty() && &e == &entries[0]) {
+    if (const std::string lines = remarks(e.made, e.run); !lines.empty() && &e == &entries[0]) {
       fmt::print("{}", lines);
     }
     if (e.made.certificate.ok()) continue;
-    fmt::print(stderr, "{}: {}\n", name_of(e.options.method),
+    fmt::print(stderr, "{}: {}\n", name_of(e.run.making.method),
                verdict_line(e.made.certificate, true));
     all_certified = false;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "convex_facts.hpp"
 #include "timer.hpp"
 
 namespace quadloom::app {
@@ -45,7 +46,8 @@ std::vector<double> edge_weights(const SourceMesh& source, const std::string& na
   return weight;
 }
 
-TriangleResult convert(const SourceMesh& source, const ConversionOptions& options) {
+TriangleResult convert(const SourceMesh& source, const ConversionOptions& options,
+                       Conversion& made) {
   TriangleOptions making = options.triangles;
   std::vector<double> weight;
   if (options.weight == "convexity") {
@@ -55,7 +57,19 @@ TriangleResult convert(const SourceMesh& source, const ConversionOptions& option
     making.weight = PairWeight::kGiven;
     making.halfedge_weight = weight;
   }
-  return quadrangulate_triangles(source.triangles, making);
+  if (!options.convex) return quadrangulate_triangles(source.triangles, making);
+  if (source.space == Space::kSurface) {
+    throw Error(ErrorCode::kBadMesh, "--convex: strictly convex quads are made of planar meshes");
+  }
+  if (making.method == TriangleMethod::kSubdivide) {  // all are, whatever is asked
+    TriangleResult result = quadrangulate_triangles(source.triangles, making);
+    made.not_convex = find_not_convex(result.mesh);
+    return result;
+  }
+  ConvexMeshResult result = convex_quadrangulation(source.triangles, making, options.seed);
+  made.mending = result.mending;
+  made.not_convex = std::move(result.not_convex);
+  return std::move(result.quads);
 }
 
 // ---- Promises. ----
@@ -100,9 +114,12 @@ std::size_t most_added(const TriangleStatistics& s, const TriangleOptions& optio
   return CertifyOptions{}.steiner_at_most;
 }
 
-CertifyOptions promised(const SourceMesh& source, const TriangleResult& result,
-                        const TriangleOptions& options) {
+CertifyOptions promised(const SourceMesh& source, const Conversion& made,
+                        const ConversionOptions& conversion) {
+  const TriangleResult& result = made.result;
+  const TriangleOptions& options = conversion.triangles;
   CertifyOptions promise;
+  promise.strictly_convex = conversion.convex && made.not_convex.empty();
   promise.steiner_at_most = most_added(result.statistics, options);
   promise.outer_steiner =
       std::any_of(result.steiner.begin(), result.steiner.end(),
@@ -135,13 +152,12 @@ Certificate certify_against(const io::MeshFile& file, const SourceMesh& source,
 Conversion convert_mesh(const SourceMesh& source, const ConversionOptions& options) {
   Conversion made;
   const Timer converting;
-  made.result = convert(source, options);
+  made.result = convert(source, options, made);
   made.convert_seconds = converting.seconds();
   made.file = carry_data(source, made.result);
 
   const Timer certifying;
-  made.certificate =
-      certify_against(made.file, source, promised(source, made.result, options.triangles));
+  made.certificate = certify_against(made.file, source, promised(source, made, options));
   if (made.certificate.ok()) made.lost = lost_feature(source, made.result);
   made.certify_seconds = certifying.seconds();
 
@@ -154,7 +170,8 @@ Witness explain_leftover(const SourceMesh& source, const ConversionOptions& opti
   ConversionOptions leaving = options;
   leaving.triangles.leftover = Leftover::kTriangle;
   leaving.triangles.odd_boundary = OddBoundary::kTriangle;
-  TriangleResult result = convert(source, leaving);
+  Conversion made;
+  TriangleResult result = convert(source, leaving, made);
   return find_witness(source, std::move(result.barrier), result.mesh.triangle_count(),
                       options.triangles);
 }

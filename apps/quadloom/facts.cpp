@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "convex_facts.hpp"
 #include "options.hpp"
 
 namespace quadloom::app {
@@ -16,6 +17,27 @@ std::string grouped(std::size_t n) {
   for (std::size_t i = 0; i < digits.size(); ++i) {
     if (i > 0 && (digits.size() - i) % 3 == 0) out += ',';
     out += digits[i];
+  }
+  return out;
+}
+
+std::size_t count_kind(const std::vector<SteinerPoint>& steiner, SteinerKind kind) {
+  return static_cast<std::size_t>(std::count_if(
+      steiner.begin(), steiner.end(), [kind](const SteinerPoint& s) { return s.kind == kind; }));
+}
+
+// How strictly convex quads came about.
+std::string convex_remarks(const MadeMesh& made, const PointOptions& options) {
+  const ConvexStatistics& s = *made.convex;
+  const std::size_t inside = count_kind(made.steiner, SteinerKind::kInner);
+  std::string out = mending_line(s.mending, inside);
+  if (s.patches > 0) {
+    out += fmt::format("{} kept as paired, {} made of the others: {} added inside\n",
+                       counted(s.kept, "quad"), counted(s.patches, "patch", "patches"),
+                       inside == 0 ? "no point" : counted(inside, "point"));
+  }
+  if (made.certificate.triangles > 0 && options.odd_boundary == OddBoundary::kOutside) {
+    out += "no place outside the hull would keep it convex: one triangle stays\n";
   }
   return out;
 }
@@ -42,7 +64,11 @@ std::string added_points(const std::vector<SteinerPoint>& steiner, const std::st
 }
 
 std::string counted(std::size_t n, const std::string& singular) {
-  return fmt::format("{} {}{}", grouped(n), singular, n == 1 ? "" : "s");
+  return counted(n, singular, singular + "s");
+}
+
+std::string counted(std::size_t n, const std::string& singular, const std::string& plural) {
+  return fmt::format("{} {}", grouped(n), n == 1 ? singular : plural);
 }
 
 std::string percent(std::size_t n, std::size_t of) {
@@ -65,7 +91,8 @@ std::string facts_line(const MadeMesh& made) {
       made.quality.min_angle, made.quality.max_angle, made.seconds);
 }
 
-std::string remarks(const MadeMesh& made, const PointOptions& options) {
+std::string remarks(const MadeMesh& made, const PointRun& run) {
+  const PointOptions& options = run.making;
   std::string out;
   const std::size_t repeated = made.input_points - made.input_vertices;
   if (repeated > 0) out += fmt::format("{} repeated, merged\n", counted(repeated, "point"));
@@ -77,9 +104,9 @@ std::string remarks(const MadeMesh& made, const PointOptions& options) {
     out += fmt::format("the {} method could not finish here; the mesh is the spiral's\n",
                        name_of(options.method));
   }
+  if (made.convex) return out + convex_remarks(made, options);
   const bool outside = options.odd_boundary == OddBoundary::kOutside;
-  const bool on_edge = std::any_of(made.steiner.begin(), made.steiner.end(),
-                                   [](const auto& s) { return s.kind == SteinerKind::kOnEdge; });
+  const bool on_edge = count_kind(made.steiner, SteinerKind::kOnEdge) > 0;
   if (outside && on_edge && options.method != PointMethod::kSubdivide) {
     out += "no place outside the hull would keep it convex: the point was added on a hull edge\n";
   }

@@ -12,7 +12,7 @@ namespace quadloom::app {
 std::string facts_line(const MadeMesh& made);
 
 /// Sentences that the facts alone do not tell, one a line: a fall back, repeated points, ...
-std::string remarks(const MadeMesh& made, const PointOptions& options);
+std::string remarks(const MadeMesh& made, const PointRun& run);
 
 /// "certified: ..." or "NOT CERTIFIED: ..." with the first culprits.
 std::string verdict_line(const Certificate& certificate, bool with_points);
@@ -24,6 +24,7 @@ std::string added_points(const std::vector<SteinerPoint>& steiner, const std::st
 
 /// "1 quad", "12,345 quads".
 std::string counted(std::size_t n, const std::string& singular);
+std::string counted(std::size_t n, const std::string& singular, const std::string& plural);
 
 /// Per cent of n in `of`, with one decimal and never rounded to 100.0 or 0.0 unless it is.
 std::string percent(std::size_t n, std::size_t of);

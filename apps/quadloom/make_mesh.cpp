@@ -1,8 +1,10 @@
 #include "make_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "convex_facts.hpp"
 #include "elevation.hpp"
 #include "quadloom/kernel.hpp"
 #include "timer.hpp"
@@ -16,12 +18,38 @@ struct Source {
   std::vector<VertexId> input_to_vertex;
 };
 
-Source run_algorithm(const io::PointTable& table, const PointOptions& options, std::size_t k,
-                     MadeMesh& made) {
+bool by_subdivision(const PointRun& run) { return run.making.method == PointMethod::kSubdivide; }
+
+ConvexOptions convex_options(const PointOptions& options) {
+  ConvexOptions convex;
+  if (options.method == PointMethod::kSpiral) {
+    convex.method = ConvexMethod::kSpiral;
+  } else if (options.method != PointMethod::kDelaunay) {
+    throw Error(ErrorCode::kBadOption,
+                "--convex: strictly convex quads are made by delaunay, spiral and subdivide");
+  }
+  convex.odd_boundary = options.odd_boundary;
+  convex.seed = options.seed;
+  convex.progress = options.progress;
+  return convex;
+}
+
+Source run_algorithm(const io::PointTable& table, const PointRun& run, MadeMesh& made) {
+  const auto& [options, k, convex] = run;
   const Timer timer;
   Source source;
-  if (k == 4) {
+  if (convex && !by_subdivision(run)) {
+    ConvexResult result = convex_quadrangulation(table.points, convex_options(options));
+    made.input_vertices = result.input_vertices;
+    made.steiner = std::move(result.steiner);
+    made.statistics.hull_points = result.statistics.hull_points;
+    made.convex = result.statistics;
+    made.not_convex = std::move(result.not_convex);
+    made.seconds = timer.seconds();
+    source = {to_polygon_mesh(result.mesh), std::move(result.input_to_vertex)};
+  } else if (k == 4) {
     PointResult result = quadrangulate_points(table.points, options);
+    if (convex) made.not_convex = find_not_convex(result.mesh);
     made.input_vertices = result.input_vertices;
     made.steiner = std::move(result.steiner);
     made.statistics = result.statistics;
@@ -38,15 +66,22 @@ Source run_algorithm(const io::PointTable& table, const PointOptions& options, s
 }
 
 // What the theorems promise for this input and these options.
-CertifyOptions promised(const MadeMesh& made, const PointOptions& options, std::size_t k) {
+CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
   CertifyOptions promise;
-  promise.corners = k;
-  if (k > 4) return promise;  // the number of added points is told apart: beyond_bound()
-  if (options.method == PointMethod::kSubdivide && !made.statistics.fell_back_to_spiral) {
+  promise.corners = run.k;
+  if (run.k > 4) return promise;  // the number of added points is told apart: beyond_bound()
+  const bool odd = made.statistics.hull_points % 2 == 1;
+  const bool triangle = run.making.odd_boundary == OddBoundary::kTriangle;
+  if (made.convex) {  // a triangle stays where no place is outside
+    const bool outside =
+        std::any_of(made.steiner.begin(), made.steiner.end(),
+                    [](const SteinerPoint& s) { return s.kind == SteinerKind::kOutside; });
+    promise.strictly_convex = made.not_convex.empty();
+    promise.triangles_allowed = odd && !outside ? 1 : 0;
+    promise.steiner_at_most = 3 * (made.input_vertices / 2) + (odd && !triangle ? 1 : 0);
+  } else if (by_subdivision(run) && !made.statistics.fell_back_to_spiral) {
     promise.strictly_convex = true;
   } else {
-    const bool odd = made.statistics.hull_points % 2 == 1;
-    const bool triangle = options.odd_boundary == OddBoundary::kTriangle;
     promise.triangles_allowed = odd && triangle ? 1 : 0;
     promise.steiner_at_most = odd && !triangle ? 1 : 0;
   }
@@ -89,14 +124,14 @@ void add_attributes(MadeMesh& made) {
 
 }  // namespace
 
-MadeMesh make_mesh(const io::PointTable& table, const PointOptions& options, std::size_t k) {
+MadeMesh make_mesh(const io::PointTable& table, const PointRun& run) {
   MadeMesh made;
   made.input_points = table.points.size();
-  Source source = run_algorithm(table, options, k, made);
+  Source source = run_algorithm(table, run, made);
   made.file.mesh = std::move(source.mesh);
 
   const Timer timer;
-  made.certificate = certify_points(made.file.mesh, table.points, promised(made, options, k));
+  made.certificate = certify_points(made.file.mesh, table.points, promised(made, run));
   made.certify_seconds = timer.seconds();
 
   made.quality = measure_quality(made.file.mesh);

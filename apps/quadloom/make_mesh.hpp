@@ -5,10 +5,18 @@
 #include <vector>
 
 #include "quadloom/certify.hpp"
+#include "quadloom/convex.hpp"
 #include "quadloom/io.hpp"
 #include "quadloom/quadrangulate.hpp"
 
 namespace quadloom::app {
+
+/// How a mesh of points is made.
+struct PointRun {
+  PointOptions making;
+  std::size_t k = 4;    // corners of the faces: 4 by the method of the options, more by the spiral
+  bool convex = false;  // strictly convex quads: kDelaunay and kSpiral by convex_quadrangulation
+};
 
 struct MadeMesh {
   io::MeshFile file;  // with z if the points have it, "added" per vertex and "shape" per face
@@ -17,6 +25,8 @@ struct MadeMesh {
   std::size_t input_vertices = 0;  // distinct ones
   std::size_t other_z = 0;  // repeated points whose z differs from the first one's, which is kept
   PointStatistics statistics;
+  std::optional<ConvexStatistics> convex;  // made by convex_quadrangulation
+  std::vector<QuadId> not_convex;          // PointRun::convex: quads that are not
   Certificate certificate;
   Quality quality;
   double total_edge_length = 0;
@@ -24,8 +34,8 @@ struct MadeMesh {
   double certify_seconds = 0;
 };
 
-/// Faces of k corners; k = 4 by the method of the options, more by the spiral.
-MadeMesh make_mesh(const io::PointTable& table, const PointOptions& options, std::size_t k);
+/// Throws Error kBadOption for PointRun::convex with kInsertion, or with OddBoundary::kOnEdge.
+MadeMesh make_mesh(const io::PointTable& table, const PointRun& run);
 
 /// More points were added than Bose and Toussaint's bound for faces of k > 4 corners, k - 3.
 bool beyond_bound(const MadeMesh& made, std::size_t k);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "convex_facts.hpp"
 #include "facts.hpp"
 #include "options.hpp"
 
@@ -103,6 +104,15 @@ Json added_json(const Conversion& made) {
   return added;
 }
 
+// Inner points but for those of the pairing, which has one for each crossing.
+std::size_t added_by_mending(const Conversion& made) {
+  const auto inner =
+      std::count_if(made.result.steiner.begin(), made.result.steiner.end(),
+                    [](const SteinerPoint& s) { return s.kind == SteinerKind::kInner; });
+  const std::size_t crossings = made.result.statistics.crossings;
+  return static_cast<std::size_t>(inner) - std::min(static_cast<std::size_t>(inner), crossings);
+}
+
 Json statistics_json(const TriangleStatistics& s) {
   return {
       {"triangles", s.triangles}, {"boundary_edges", s.boundary_edges}, {"parts", s.parts},
@@ -134,6 +144,7 @@ std::string conversion_remarks(const SourceMesh& source, const Conversion& made,
   std::string out;
   for (const std::string& remark : source.remarks) out += remark + '\n';
   if (source.kept_edges > 0) out += counted(source.kept_edges, "inner edge") + " kept\n";
+  if (made.mending) out += mending_line(*made.mending, added_by_mending(made));
   const Leftover leftover = options.triangles.leftover;
   if (!made.result.barrier.empty() &&
       (leftover == Leftover::kTriangle || leftover == Leftover::kSteiner)) {
@@ -188,6 +199,10 @@ Json conversion_json(const SourceMesh& source, const Conversion& made,
     json["source"]["boundary_cycles"] = source.boundary_cycles;
   }
   json["statistics"] = statistics_json(made.result.statistics);
+  json["convex"] = options.convex;
+  if (options.convex) json["seed"] = options.seed;
+  if (made.mending) json["mending"] = mending_json(*made.mending);
+  if (options.convex) json["not_convex"] = not_convex_json(made.not_convex);
   json["triangles_left"] = made.result.mesh.triangle_count();
   json["added_points"] = made.result.steiner.size();
   json["added_points_listed"] = added_json(made);

@@ -19,6 +19,8 @@ struct QuadrangulateOptions {
   OddBoundary odd_boundary = OddBoundary::kOutside;
   std::vector<std::string> given;  // the options on the command line
   double keep_angle = 0;
+  std::uint64_t seed = 1;
+  bool convex = false;
   PointRun points;
   MeshRun mesh;
   OutputOptions output;
@@ -44,7 +46,10 @@ PointRun point_run(const QuadrangulateOptions& o) {
   PointRun run = o.points;
   if (o.has("--method")) run.making.method = point_method(o.method);
   if (o.has("--odd-boundary")) run.making.odd_boundary = o.odd_boundary;
+  run.making.seed = o.seed;
+  run.convex = o.convex;
   if (run.k == 4) return run;
+  refuse(o, {"--convex"}, "is for faces of 4 corners");
   if (o.has("--method") && run.making.method != PointMethod::kSpiral) {
     throw Error(ErrorCode::kBadOption,
                 "--k: faces of more than 4 corners are made by the spiral only");
@@ -54,7 +59,8 @@ PointRun point_run(const QuadrangulateOptions& o) {
 }
 
 MeshRun mesh_run(const QuadrangulateOptions& o, InputKind kind) {
-  refuse(o, {"--k", "--columns", "--seed"}, "is for points, not for meshes and polygons");
+  refuse(o, {"--k", "--columns"}, "is for points, not for meshes and polygons");
+  if (!o.convex) refuse(o, {"--seed"}, "is for points, and for --convex");
   MeshRun run = o.mesh;
   if (o.has("--method")) run.conversion.triangles.method = triangle_method(o.method);
   if (o.has("--odd-boundary")) run.conversion.triangles.odd_boundary = o.odd_boundary;
@@ -65,6 +71,8 @@ MeshRun mesh_run(const QuadrangulateOptions& o, InputKind kind) {
   if (kind == InputKind::kPolygons) {
     refuse(o, {"--space", "--faulty", "--merge-vertices"}, "is for meshes, not for polygons");
   }
+  run.conversion.convex = o.convex;
+  run.conversion.seed = o.seed;
   if (o.has("--keep-angle")) run.reading.keep_angle = o.keep_angle;
   run.reading.path = o.input.path;
   run.reading.format = o.input.reading.format;
@@ -125,6 +133,7 @@ constexpr const char* kFooter =
     "hull decides: if it is even no point is added, if it is odd one point or one triangle.\n"
     "Triangles of a mesh or of polygons are paired, those left over walk together; a part with an\n"
     "odd number of border edges takes one point or keeps one triangle.\n"
+    "With --convex a few points are added inside, for no corner to be flat or reflex.\n"
     "\n"
     "  quadloom quadrangulate towns.csv -o towns.vtu --picture towns.png\n"
     "  quadloom quadrangulate sites.csv --columns lon,lat,height -o sites.obj\n"
@@ -132,6 +141,7 @@ constexpr const char* kFooter =
     "facts.json\n"
     "  quadloom quadrangulate coast.14 -o coast.vtu --report facts.json\n"
     "  quadloom quadrangulate lake.geojson -o lake.msh --method q-percolate\n"
+    "  quadloom quadrangulate towns.csv --convex -o towns.vtu\n"
     "  cat points.xyz | quadloom quadrangulate - -o - --output-format off > mesh.off";
 
 }  // namespace
@@ -154,7 +164,10 @@ void add_quadrangulate(CLI::App& app, Run& run) {
                    "q-percolate, quarter, subdivide")
       ->type_name(method_words());
   add_odd_boundary(*verb, o->odd_boundary)->default_str("");
-  add_whole(*verb, "--seed", o->points.making.seed, 0, kNoLimit, "Points: seed of random choices");
+  verb->add_flag("--convex", o->convex,
+                 "All quads strictly convex: points by delaunay (few points added) or spiral, "
+                 "planar meshes and polygons by pair");
+  add_whole(*verb, "--seed", o->seed, 0, kNoLimit, "Points and --convex: seed of random choices");
   add_whole(*verb, "--k", o->points.k, 4, 1 << 20,
             "Points: corners of each face; above 4 the method is the spiral");
   verb->add_option("--picture", o->output.picture, "Also draw the mesh: .svg, .png or .pdf");

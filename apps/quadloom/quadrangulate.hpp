@@ -4,6 +4,7 @@
 #include <string>
 
 #include "convert_mesh.hpp"
+#include "make_mesh.hpp"
 #include "options.hpp"
 
 namespace quadloom::app {
@@ -15,10 +16,6 @@ struct OutputOptions {
 };
 
 /// Points to a mesh of quads (or of faces of k corners); gives the exit code.
-struct PointRun {
-  PointOptions making;
-  std::size_t k = 4;
-};
 int quadrangulate_point_file(const std::string& path, const io::PointTable& table,
                              double read_seconds, const PointRun& run, const OutputOptions& output);
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "convex_facts.hpp"
 #include "exit_codes.hpp"
 #include "facts.hpp"
 #include "mesh_facts.hpp"
@@ -27,6 +28,7 @@ void write_picture(const SourceMesh& source, const Conversion& made, const MeshR
   options.title = fmt::format("{}: {}, {}", short_name(run.reading.path),
                               counted(source.triangles.mesh.triangle_count(), "triangle"),
                               name_of(run.conversion.triangles.method));
+  if (run.conversion.convex && made.not_convex.empty()) options.title += ", strictly convex";
   for (const SteinerPoint& s : made.result.steiner) options.steiner.push_back(s.vertex);
   io::draw_mesh(path, made.file, options);
 }
@@ -112,7 +114,7 @@ int quadrangulate_mesh_file(FoundInput input, MeshRun run, const OutputOptions& 
   write_picture(source, made, run, output.picture);
   write_report(source, made, run, output, write_seconds);
   tell(source, made, run, output);
-  return kDone;
+  return tell_not_convex(made.file.mesh, made.not_convex);
 }
 
 }  // namespace quadloom::app

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "convex_facts.hpp"
 #include "exit_codes.hpp"
 #include "facts.hpp"
 #include "progress_bar.hpp"
@@ -14,9 +15,9 @@ namespace {
 
 MadeMesh make(const io::PointTable& table, const PointRun& run) {
   ProgressBar bar;
-  PointOptions options = run.making;
-  options.progress = bar.callback();
-  return make_mesh(table, options, run.k);
+  PointRun making = run;
+  making.making.progress = bar.callback();
+  return make_mesh(table, making);
 }
 
 void write_picture(const MadeMesh& made, const std::string& path, const PointRun& run,
@@ -26,6 +27,7 @@ void write_picture(const MadeMesh& made, const std::string& path, const PointRun
   options.title =
       fmt::format("{}: {}, {}", short_name(path), counted(made.input_vertices, "point"),
                   run.k == 4 ? name_of(run.making.method) : fmt::format("{}-gons", run.k));
+  if (run.convex && made.not_convex.empty()) options.title += ", strictly convex";
   options.steiner = steiner_vertices(made);
   io::draw_mesh(picture, made.file, options);
 }
@@ -35,7 +37,7 @@ void write_report(const MadeMesh& made, const std::string& path, const PointRun&
   if (output.report.empty()) return;
   Json json = report_head("quadrangulate", path, made.input_points);
   json["output"] = output.mesh;
-  json["mesh"] = mesh_json(made, run.making, run.k);
+  json["mesh"] = mesh_json(made, run);
   json["mesh"]["seconds"]["read"] = read_seconds;
   io::write_text(output.report, json.dump(2) + "\n");
 }
@@ -44,7 +46,7 @@ void tell(const MadeMesh& made, const PointRun& run, const OutputOptions& output
   if (output.quiet && made.certificate.ok()) return;
   std::FILE* to =
       output.mesh == "-" || output.report == "-" || !made.certificate.ok() ? stderr : stdout;
-  fmt::print(to, "{}\n{}{}\n", facts_line(made), remarks(made, run.making),
+  fmt::print(to, "{}\n{}{}\n", facts_line(made), remarks(made, run),
              verdict_line(made.certificate, true));
 }
 
@@ -70,7 +72,7 @@ int quadrangulate_point_file(const std::string& path, const io::PointTable& tabl
   write_picture(made, path, run, output.picture);
   write_report(made, path, run, read_seconds, output);
   tell(made, run, output);
-  return tell_bound(made, run.k);
+  return run.convex ? tell_not_convex(made.file.mesh, made.not_convex) : tell_bound(made, run.k);
 }
 
 }  // namespace quadloom::app

@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include "convex_facts.hpp"
 #include "options.hpp"
 #include "quadloom/version.hpp"
 
@@ -49,7 +50,8 @@ Json quality_json(const Quality& q) {
           {"max_edge", q.max_edge}};
 }
 
-Json mesh_json(const MadeMesh& made, const PointOptions& options, std::size_t k) {
+Json mesh_json(const MadeMesh& made, const PointRun& run) {
+  const auto& [options, k, convex] = run;
   const PointStatistics& s = made.statistics;
   Json added = Json::array();
   constexpr std::size_t kMostListed = 1000;
@@ -60,22 +62,26 @@ Json mesh_json(const MadeMesh& made, const PointOptions& options, std::size_t k)
                      {"x", p.x},
                      {"y", p.y}});
   }
-  return {{"method", k == 4 ? name_of(options.method) : "spiral"},
-          {"k", k},
-          {"odd_boundary", name_of(options.odd_boundary)},
-          {"seed", options.seed},
-          {"distinct_points", made.input_vertices},
-          {"hull_points", s.hull_points},
-          {"added_points", made.steiner.size()},
-          {"added_points_listed", added},
-          {"unmatched_greedy", s.unmatched_greedy},
-          {"walks", s.walks},
-          {"walk_steps", s.walk_steps},
-          {"fell_back_to_spiral", s.fell_back_to_spiral},
-          {"total_edge_length", made.total_edge_length},
-          {"certificate", certificate_json(made.certificate)},
-          {"quality", quality_json(made.quality)},
-          {"seconds", {{"mesh", made.seconds}, {"certify", made.certify_seconds}}}};
+  Json json = {{"method", k == 4 ? name_of(options.method) : "spiral"},
+               {"k", k},
+               {"convex", convex},
+               {"odd_boundary", name_of(options.odd_boundary)},
+               {"seed", options.seed},
+               {"distinct_points", made.input_vertices},
+               {"hull_points", s.hull_points},
+               {"added_points", made.steiner.size()},
+               {"added_points_listed", added},
+               {"unmatched_greedy", s.unmatched_greedy},
+               {"walks", s.walks},
+               {"walk_steps", s.walk_steps},
+               {"fell_back_to_spiral", s.fell_back_to_spiral},
+               {"total_edge_length", made.total_edge_length},
+               {"certificate", certificate_json(made.certificate)},
+               {"quality", quality_json(made.quality)},
+               {"seconds", {{"mesh", made.seconds}, {"certify", made.certify_seconds}}}};
+  if (made.convex) json["convex_statistics"] = convex_json(*made.convex);
+  if (convex) json["not_convex"] = not_convex_json(made.not_convex);
+  return json;
 }
 
 }  // namespace quadloom::app
