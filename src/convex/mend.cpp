@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "convex/best_parting.hpp"
 #include "convex/hexagon.hpp"
@@ -48,11 +49,14 @@ namespace {
 constexpr int kMostCycles = 200;  // of wandering and walks
 constexpr int kLeastCycles = 6;
 constexpr std::size_t kCycleTriangles = 12'000'000;  // triangles times cycles, between the two
-constexpr double kUsualPrice = 0.8;                  // of a quad
-constexpr int kPatience = 40;                        // cycles without a bad quad less, at most
-constexpr std::size_t kTrianglesPerCycle = 25;       // small meshes have seen it all sooner
-constexpr int kRounds = 20;                          // of wandering in a cycle
-constexpr std::size_t kLargest = 8;                  // quads of a cluster
+constexpr std::size_t kMostTries = 4;
+constexpr std::size_t kTiny = 100;               // triangles; there one try sees it all
+constexpr std::size_t kTriesTriangles = 16'000;  // triangles times tries, if there are several
+constexpr double kUsualPrice = 0.8;              // of a quad
+constexpr int kPatience = 40;                    // cycles without a bad quad less, at most
+constexpr std::size_t kTrianglesPerCycle = 25;   // small meshes have seen it all sooner
+constexpr int kRounds = 20;                      // of wandering in a cycle
+constexpr std::size_t kLargest = 8;              // quads of a cluster
 constexpr std::size_t kLargestStar = 5;
 constexpr int kStarTries = 60;               // clusters looked at for each star
 constexpr std::size_t kLeastWork = 300'000;  // clusters looked at, or a quarter of the triangles
@@ -392,7 +396,28 @@ void Mender::improve() {
 
 MendStatistics mend_quads(PairedMesh& mesh, std::uint64_t seed, std::vector<SteinerPoint>& steiner,
                           const Progress& progress) {
-  return Mender(mesh, seed, steiner, progress).run();
+  const std::size_t tries =
+      mesh.mate.size() < kTiny
+          ? 1
+          : std::clamp<std::size_t>(kTriesTriangles / mesh.mate.size(), 1, kMostTries);
+  if (tries == 1) return Mender(mesh, seed, steiner, progress).run();
+
+  // Small meshes are mended several times; the fewest bad quads and then points win.
+  const PairedMesh given = mesh;
+  const std::vector<SteinerPoint> given_points = steiner;
+  MendStatistics best;
+  for (std::size_t i = 0; i < tries; ++i) {
+    PairedMesh tried = given;
+    std::vector<SteinerPoint> points = given_points;
+    const MendStatistics now = Mender(tried, seed + i, points, progress).run();
+    if (i == 0 || std::pair(now.left, points.size()) < std::pair(best.left, steiner.size())) {
+      best = now;
+      mesh = std::move(tried);
+      steiner = std::move(points);
+    }
+    if (best.left == 0 && steiner.size() == given_points.size()) break;
+  }
+  return best;
 }
 
 }  // namespace quadloom::convex

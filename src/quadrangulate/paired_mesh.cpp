@@ -160,7 +160,7 @@ TriangleId add_triangle(PairedMesh& mesh, TriangleId like) {
   mesh.tri.tri_vertex.resize(3 * added + 3);
   mesh.tri.twin.resize(3 * added + 3, kNone);
   mesh.mate.push_back(kNone);
-  if (!mesh.source.empty()) mesh.source.push_back(like == kNone ? kNone : mesh.source[like]);
+  if (!mesh.source.empty()) mesh.source.push_back(mesh.source[like]);
   return added;
 }
 
@@ -169,7 +169,7 @@ void attach_at_boundary(PairedMesh& mesh, HalfedgeId boundary, VertexId s, Stein
   const VertexId c = mesh.tri.apex(boundary);
   const TriangleId t = triangle_of(boundary);
   if (kind == SteinerKind::kOutside) {
-    const TriangleId added = add_triangle(mesh, kNone);
+    const TriangleId added = add_triangle(mesh, t);
     mesh.set_triangle(added, b, a, s);
     mesh.link(boundary, 3 * added);
     mesh.pair(boundary);

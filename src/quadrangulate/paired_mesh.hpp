@@ -100,7 +100,7 @@ std::array<TriangleId, 3> recut_pentagon(PairedMesh& mesh, HalfedgeId enter, int
 
 /// A new vertex, with z on a surface; returns it.
 VertexId add_vertex(PairedMesh& mesh, kernel::Vector3 place);
-/// A new free triangle without neighbours that has the source of `like` (kNone: none); returns it.
+/// A new free triangle without neighbours that has the source of `like`; returns it.
 TriangleId add_triangle(PairedMesh& mesh, TriangleId like);
 
 /// The vertex s, outside the boundary edge a->b of the free triangle (kOutside) or on it (kOnEdge),

@@ -5,9 +5,9 @@
 namespace quadloom::quadrangulate {
 namespace {
 
-/// Both, or the one that there is first.
+/// Both, or the one that both have.
 std::array<TriangleId, 2> sources(TriangleId a, TriangleId b) {
-  if (a == kNone || a == b) return {b, kNone};
+  if (a == b) return {a, kNone};
   return {a, b};
 }
 

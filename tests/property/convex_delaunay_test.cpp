@@ -70,7 +70,7 @@ TEST(ConvexDelaunay, TheSameSeedTheSameMesh) {
 
 TEST(ConvexTriangulation, PolygonsWithHolesRegionsAndEdgesToKeep) {
   std::size_t added = 0, triangles = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const auto kinds = polygon_generators();
