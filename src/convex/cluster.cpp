@@ -62,7 +62,7 @@ namespace {
 class Parting {
  public:
   Parting(PairedMesh& mesh, const Cluster& cluster, std::span<const VertexId> added)
-      : mesh_(mesh), cluster_(cluster), corners_(cluster.corner.size()), slot_(cluster.slot) {
+      : mesh_(mesh), corners_(cluster.corner.size()), slot_(cluster.slot) {
     vertex_ = cluster.corner;
     vertex_.insert(vertex_.end(), added.begin(), added.end());
     known_.assign(vertex_.size() * vertex_.size(), kNone);
@@ -140,7 +140,6 @@ class Parting {
   }
 
   PairedMesh& mesh_;
-  const Cluster& cluster_;
   const std::size_t corners_;
   std::vector<TriangleId> slot_;
   std::vector<VertexId> vertex_;

@@ -11,7 +11,7 @@
 //   4. add_stars     for each that is left the best of many clusters with one added point
 //   5. add_cases     for what is left after that the union with a neighbour, as in the paper's cases: at most
 //                    three points (Bremner, Hurtado, Ramaswami and Sacristan, theorem 3.8)
-//   6. improve       shapes suffer from the wandering: diagonal slides, clusters around poor quads parted
+//   6. improve       shapes suffer from the wandering: diagonal slides (not on given meshes), clusters around poor quads parted
 //                    better, and the added points moved, all without a quad that is not strictly convex
 //
 // The work of steps 2 and 3 is limited by the size of the mesh; on small meshes they run long.
@@ -75,8 +75,13 @@ constexpr WalkLimits kLastRounds[] = {
 class Mender {
  public:
   Mender(PairedMesh& mesh, std::uint64_t seed, std::vector<SteinerPoint>& steiner,
-         const Progress& progress)
-      : mesh_(mesh), random_(seed), grower_(mesh), steiner_(steiner), progress_(progress) {}
+         const Progress& progress, Improve improve)
+      : mesh_(mesh),
+        random_(seed),
+        grower_(mesh),
+        steiner_(steiner),
+        progress_(progress),
+        improve_(improve) {}
 
   MendStatistics run() {
     find_bad();
@@ -84,8 +89,7 @@ class Mender {
     if (bad_.empty()) return statistics_;
     move();
     statistics_.bad_after_moves = bad_.size();
-    quadrangulate::slide_diagonals(mesh_);
-    find_bad();  // a slide renames quads
+    slide();
     for (int round = 0; round < 3 && !bad_.empty(); ++round) add_stars();
     add_cases();
     statistics_.left = bad_.size();
@@ -113,6 +117,7 @@ class Mender {
   void walk();
   void add_stars();
   void add_cases();
+  void slide();
   void improve();
   bool add_case(TriangleId t);
   std::array<VertexId, 3> parents_of(Point s, std::span<const VertexId> corner) const;
@@ -123,6 +128,7 @@ class Mender {
   ClusterGrower grower_;
   std::vector<SteinerPoint>& steiner_;
   const Progress& progress_;
+  const Improve improve_;
   std::vector<TriangleId> bad_;  // by name_of_quad; some may have become good since
   std::vector<TriangleId> touched_;
   std::size_t work_ = 0;
@@ -386,8 +392,14 @@ bool Mender::add_case(TriangleId t) {
   return true;
 }
 
-void Mender::improve() {
+void Mender::slide() {
+  if (improve_ == Improve::kTouched) return;
   quadrangulate::slide_diagonals(mesh_);
+  find_bad();  // a slide renames quads
+}
+
+void Mender::improve() {
+  slide();
   polish_quads(mesh_, std::move(touched_), random_);
   smooth_points(mesh_, steiner_);
 }
@@ -395,12 +407,12 @@ void Mender::improve() {
 }  // namespace
 
 MendStatistics mend_quads(PairedMesh& mesh, std::uint64_t seed, std::vector<SteinerPoint>& steiner,
-                          const Progress& progress) {
+                          const Progress& progress, Improve improve) {
   const std::size_t tries =
       mesh.mate.size() < kTiny
           ? 1
           : std::clamp<std::size_t>(kTriesTriangles / mesh.mate.size(), 1, kMostTries);
-  if (tries == 1) return Mender(mesh, seed, steiner, progress).run();
+  if (tries == 1) return Mender(mesh, seed, steiner, progress, improve).run();
 
   // Small meshes are mended several times; the fewest bad quads and then points win.
   const PairedMesh given = mesh;
@@ -409,7 +421,7 @@ MendStatistics mend_quads(PairedMesh& mesh, std::uint64_t seed, std::vector<Stei
   for (std::size_t i = 0; i < tries; ++i) {
     PairedMesh tried = given;
     std::vector<SteinerPoint> points = given_points;
-    const MendStatistics now = Mender(tried, seed + i, points, progress).run();
+    const MendStatistics now = Mender(tried, seed + i, points, progress, improve).run();
     if (i == 0 || std::pair(now.left, points.size()) < std::pair(best.left, steiner.size())) {
       best = now;
       mesh = std::move(tried);

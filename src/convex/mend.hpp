@@ -10,9 +10,16 @@
 
 namespace quadloom::convex {
 
+/// Where shapes are improved when all is mended.
+enum class Improve : std::uint8_t {
+  kAll,      ///< diagonal slides all over the mesh
+  kTouched,  ///< where quads were mended alone: the rest of a given mesh is its owner's
+};
+
 /// Vertices, borders and the number of free triangles stay; the added points are inside. Planar meshes alone.
 /// The same seed gives the same mesh.
 MendStatistics mend_quads(quadrangulate::PairedMesh& mesh, std::uint64_t seed,
-                          std::vector<SteinerPoint>& steiner, const Progress& progress);
+                          std::vector<SteinerPoint>& steiner, const Progress& progress,
+                          Improve improve);
 
 }  // namespace quadloom::convex

@@ -30,7 +30,8 @@ ConvexMeshResult convex_quadrangulation(const TriangleMesh& input, const Triangl
   }
   PairedTriangles paired = pair_triangles(input, options);
   ConvexMeshResult result;
-  result.mending = convex::mend_quads(paired.mesh, seed, paired.steiner, options.progress);
+  result.mending = convex::mend_quads(paired.mesh, seed, paired.steiner, options.progress,
+                                      convex::Improve::kTouched);
   result.quads = to_triangle_result(std::move(paired.mesh), input.mesh.points.size());
   result.quads.steiner = std::move(paired.steiner);
   result.quads.barrier = std::move(paired.barrier);
