@@ -89,7 +89,7 @@ struct ConvexResult {
 /// A quadrangulation of a point set in which all quads are strictly convex (but for `not_convex`).
 ///
 /// Guarantee (theorem 3.1): at most 3 floor(n / 2) inner Steiner points; as a rule about a third of that
-/// for kSpiral, and n / 6,000 on uniform points for kDelaunay. If an odd number of points is on the hull: with OddBoundary::kOutside one Steiner point
+/// for kSpiral, and n / 6,000 on uniform points for kDelaunay, which gives kSpiral's mesh where that has fewer. If an odd number of points is on the hull: with OddBoundary::kOutside one Steiner point
 /// outside the hull where there is a place for it, else one triangle stays; kTriangle: one triangle
 /// stays. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled;
 /// kBadOption for OddBoundary::kOnEdge. O(n log n).

@@ -11,8 +11,9 @@
 //   4. add_stars     for each that is left the best of many clusters with one added point
 //   5. add_cases     for what is left after that the union with a neighbour, as in the paper's cases: at most
 //                    three points (Bremner, Hurtado, Ramaswami and Sacristan, theorem 3.8)
-//   6. improve       shapes suffer from the wandering: diagonal slides (not on given meshes), clusters around poor quads parted
-//                    better, and the added points moved, all without a quad that is not strictly convex
+//   6. improve       shapes suffer from the wandering: diagonal slides (not on given meshes), clusters
+//                    around poor quads parted better, and the added points moved, all without a quad that is
+//                    not strictly convex
 //
 // The work of steps 2 and 3 is limited by the size of the mesh; on small meshes they run long.
 // Degenerate input: flat corners count as bad, decided exactly; rows of collinear points lock many quads. A
@@ -67,11 +68,6 @@ constexpr WalkLimits kConvexRounds[] = {
     {WalkQuads::kStrictlyConvex, 4'000, 2},
     {WalkQuads::kStrictlyConvex, 20'000, 4},
 };
-constexpr WalkLimits kLastRounds[] = {
-    {WalkQuads::kAny, 1'000},    {WalkQuads::kAny, 100'000},    {WalkQuads::kAny, kNone},
-    {WalkQuads::kAny, kNone, 4}, {WalkQuads::kAny, kNone, 255},
-};
-
 class Mender {
  public:
   Mender(PairedMesh& mesh, std::uint64_t seed, std::vector<SteinerPoint>& steiner,
@@ -262,7 +258,7 @@ void Mender::walk() {
   quadrangulate::Walker walker(mesh_);
   walker.on_recut = [this](std::span<const TriangleId> triangles) { touch(triangles); };
   quadrangulate::walk_together(walker, mesh_, kConvexRounds, {});
-  quadrangulate::walk_together(walker, mesh_, kLastRounds, {});
+  quadrangulate::walk_together(walker, mesh_, quadrangulate::kLastCorridorRounds, {});
   // In corridors a walk can be stuck; the steps of crossings that need no point go on.
   quadrangulate::SteinerCrossing crossing(mesh_);
   for (const TriangleId t : quadrangulate::free_triangles(mesh_)) {

@@ -2,8 +2,8 @@
 //
 // Beyond the paper: the quads of the Delaunay method (quadrangulate/points_delaunay.hpp) are strictly convex
 // but for some in a thousand, and these are mended (mend.hpp). On uniform points about n / 6,000 points
-// are added, where theorem 3.1 of Bremner, Hurtado, Ramaswami and Sacristan has 3n/2; the bound holds for
-// this method as well, since mending takes at most three points for each quad that is not convex.
+// are added, where theorem 3.1 of Bremner, Hurtado, Ramaswami and Sacristan has 3n/2. Mending alone does not
+// keep that bound on every set; points_convex.cpp takes the spiral's mesh where that has fewer points.
 //
 // An odd number of points on the hull: a point outside, which its quad needs to be strictly convex, or else a
 // triangle stays.

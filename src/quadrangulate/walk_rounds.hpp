@@ -39,6 +39,10 @@ inline constexpr WalkLimits kCorridorRounds[] = {
     {WalkQuads::kAny, 20'000, 255},
 };
 
+/// Those of them that may leave any simple quad behind.
+inline constexpr std::span<const WalkLimits> kLastCorridorRounds =
+    std::span(kCorridorRounds).subspan(4);
+
 /// On a surface a re-cut changes its shape, so only where it is rather flat (normals within 20 and
 /// then 45 degrees), and not far: a Steiner point keeps the shape.
 inline constexpr WalkLimits kSurfaceRounds[] = {

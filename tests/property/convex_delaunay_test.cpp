@@ -68,6 +68,21 @@ TEST(ConvexDelaunay, TheSameSeedTheSameMesh) {
   EXPECT_EQ(first.mesh.quad_vertex, second.mesh.quad_vertex);
 }
 
+TEST(ConvexDelaunay, NeverMorePointsThanTheSpiralWhereThoseAreMany) {
+  for (const char* kind : {"bhrs-line", "bhrs-ring"}) {
+    for (const std::size_t n : {20U, 60U, 196U}) {
+      SCOPED_TRACE(std::string(kind) + " " + std::to_string(n));
+      const auto points = generate_points(kind, n, 1);
+      ConvexOptions spiral;
+      spiral.method = ConvexMethod::kSpiral;
+      spiral.odd_boundary = OddBoundary::kTriangle;
+      EXPECT_LE(convex_checked(points, OddBoundary::kTriangle).steiner.size(),
+                std::max(n / 10, convex_quadrangulation(points, spiral).steiner.size()));
+      if (HasFailure()) return;
+    }
+  }
+}
+
 TEST(ConvexTriangulation, PolygonsWithHolesRegionsAndEdgesToKeep) {
   std::size_t added = 0, triangles = 0;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {

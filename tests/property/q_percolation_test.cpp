@@ -206,13 +206,7 @@ TEST(QPercolation, SeveralParts) {
 
 // An odd part that edges to keep cut off from the boundary: a triangle inside another.
 TEST(QPercolation, AnOddPartWithoutBoundary) {
-  TriangleMesh source{connected({{0, 0}, {12, 0}, {0, 12}, {2, 2}, {5, 2}, {2, 5}},
-                                {3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5}),
-                      {},
-                      {},
-                      std::vector<std::uint8_t>(21, 0),
-                      {}};
-  for (HalfedgeId h = 0; h < 3; ++h) source.keep[h] = 1;
+  TriangleMesh source = kept_triangle_in_a_ring();
   TriangleOptions options;
   options.method = TriangleMethod::kQPercolate;
   try {

@@ -9,6 +9,7 @@
 
 #include "core/random.hpp"
 #include "quadloom/quadloom.hpp"
+#include "support/all_triangulations.hpp"
 #include "support/conversion_checks.hpp"
 
 namespace quadloom::test {
@@ -80,6 +81,18 @@ inline void for_random_polygons(std::uint64_t seeds,
       if (testing::Test::HasFailure()) return;
     }
   }
+}
+
+/// A triangle whose edges are to be kept, inside another triangle.
+inline TriangleMesh kept_triangle_in_a_ring() {
+  TriangleMesh source{connected({{0, 0}, {12, 0}, {0, 12}, {2, 2}, {5, 2}, {2, 5}},
+                                {3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5}),
+                      {},
+                      {},
+                      std::vector<std::uint8_t>(21, 0),
+                      {}};
+  for (HalfedgeId h = 0; h < 3; ++h) source.keep[h] = 1;
+  return source;
 }
 
 }  // namespace quadloom::test
