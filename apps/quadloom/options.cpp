@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <map>
 
+#include "choice.hpp"
+
 namespace quadloom::app {
 namespace {
 
@@ -41,47 +43,12 @@ const std::map<std::string, io::ColourBy> kColours = {{"quality", io::ColourBy::
                                                       {"none", io::ColourBy::kNone}};
 
 template <typename Enum>
-std::string find_name(const std::map<std::string, Enum>& names, Enum value) {
-  for (const auto& [name, v] : names) {
-    if (v == value) return name;
-  }
-  return "?";
-}
-
-template <typename Enum>
-std::string all_words(const std::map<std::string, Enum>& names) {
-  std::string words;
-  for (const auto& entry : names) words += (words.empty() ? "" : "|") + entry.first;
-  return words;
-}
-
-template <typename Enum>
 Enum find_method(const std::map<std::string, Enum>& names, const std::string& word,
                  const char* input) {
   const auto found = names.find(word);
   if (found != names.end()) return found->second;
   throw Error(ErrorCode::kBadOption, fmt::format("--method: '{}' is none of {}, which are for {}",
                                                  word, all_words(names), input));
-}
-
-// An option whose value is one of a few words; the error names them.
-template <typename Enum>
-CLI::Option* add_choice(CLI::App& verb, const std::string& flag, Enum& value,
-                        const std::map<std::string, Enum>& names, const std::string& help) {
-  const std::string words = all_words(names);
-  return verb
-      .add_option_function<std::string>(
-          flag,
-          [&value, &names, flag, words](const std::string& word) {
-            const auto found = names.find(word);
-            if (found == names.end()) {
-              throw CLI::ValidationError(flag, fmt::format("'{}' is none of {}", word, words));
-            }
-            value = found->second;
-          },
-          help)
-      ->type_name(words)
-      ->default_str(find_name(names, value));
 }
 
 }  // namespace

@@ -1,120 +1,165 @@
-// quadloom triangulate: points or polygons to the triangles that the other verbs begin with.
+// quadloom triangulate: points or polygons to triangles, Delaunay ones or in an order.
+#include "triangulate.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 
-#include "convert_mesh.hpp"
-#include "elevation.hpp"
+#include "choice.hpp"
 #include "exit_codes.hpp"
 #include "facts.hpp"
-#include "mesh_facts.hpp"
-#include "options.hpp"
-#include "timer.hpp"
 #include "verbs.hpp"
 
 namespace quadloom::app {
 namespace {
 
-struct TriangulateOptions {
-  InputOptions input;
-  InputKind kind = InputKind::kAuto;
-  std::string output, output_format, picture;
+const std::map<std::string, TriangulationKind> kKinds = {
+    {"delaunay", TriangulationKind::kDelaunay},
+    {"hamiltonian-path", TriangulationKind::kHamiltonianPath},
+    {"hamiltonian-cycle", TriangulationKind::kHamiltonianCycle},
+    {"serpentine", TriangulationKind::kSerpentine},
+    {"sequential", TriangulationKind::kSequential},
 };
-
-struct Triangles {
-  io::MeshFile file;
-  Certificate certificate;
-  double seconds = 0;
-  std::string verdict;
-};
-
-CertifyOptions three_corners() {
-  CertifyOptions promise;
-  promise.corners = 3;
-  promise.steiner_at_most = 0;
-  return promise;
-}
-
-Triangles from_points(const io::PointTable& table) {
-  Triangles made;
-  const Timer timer;
-  const DelaunayResult result = delaunay(table.points);
-  made.seconds = timer.seconds();
-  made.file.mesh = to_polygon_mesh(result.mesh);
-  if (!table.z.empty()) {
-    made.file.z = carry_elevation(table.z, result.input_to_vertex, result.mesh.points, {}).z;
-  }
-  made.certificate = certify_points(made.file.mesh, table.points, three_corners());
-  made.verdict = verdict_line(made.certificate, true);
-  return made;
-}
-
-Triangles from_polygons(const TriangulateOptions& o, FoundInput found) {
-  MeshReading reading;
-  reading.path = o.input.path;
-  reading.format = o.input.reading.format;
-  SourceMesh source = read_source(reading, std::move(found));
-  Triangles made;
-  made.seconds = source.connect_seconds;
-  made.file.mesh = to_polygon_mesh(source.triangles.mesh);
-  made.file.z = source.z;
-  made.file.vertex_data = source.vertex_data;
-  made.file.face_data = source.face_data;
-  made.file.edges = source.lines;
-  made.certificate = certify_against(made.file, source, three_corners());
-  made.verdict = source_verdict(made.certificate, source, false);
-  return made;
-}
 
 io::PointTable take_points(io::PlanarFile file) {
   return {std::move(file.input.points), std::move(file.z), {}};
 }
 
+MadeTriangles make(const TriangulateOptions& o, FoundInput found) {
+  switch (found.kind) {
+    case InputKind::kMesh:
+      throw Error(ErrorCode::kBadOption,
+                  fmt::format("'{}' is a mesh already; points and polygons can be triangulated",
+                              o.input.path));
+    case InputKind::kPolygons:
+      return triangulate_polygons(o, std::move(found));
+    case InputKind::kAuto:
+    case InputKind::kPoints:
+      break;
+  }
+  return triangulate_points(o, found.planar ? take_points(std::move(*found.planar))
+                                            : io::read_points(o.input.path, o.input.reading));
+}
+
+/// Judges the order, and writes it beside the triangles.
+void tell_order(MadeTriangles& made) {
+  if (!made.order || !made.certificate.ok()) return;
+  const Certificate verdict = certify_order(made.file.mesh, *made.order);
+  if (!verdict.ok()) {
+    made.certificate = verdict;
+    made.verdict = verdict_line(verdict, false);
+    return;
+  }
+  switch (*made.order) {
+    case OrderKind::kPath:
+      made.verdict += ", each triangle beside the one before";
+      break;
+    case OrderKind::kCycle:
+      made.verdict += ", each triangle beside the one before, the first beside the last";
+      break;
+    case OrderKind::kSequential:
+      made.verdict += ", each triangle beside the one before, turning left and right by turns";
+      break;
+  }
+  io::Attribute order{"order", {}};
+  for (std::size_t f = 0; f < made.file.mesh.face_count(); ++f) {
+    order.values.push_back(static_cast<double>(f));
+  }
+  made.file.face_data.push_back(std::move(order));
+}
+
+/// The order as a line: from the middle of each triangle through that of the edge to the next.
+io::Polyline line_of(const PolygonMesh& mesh, OrderKind kind) {
+  io::Polyline line;
+  line.closed = kind == OrderKind::kCycle;
+  const auto middle = [&](std::span<const VertexId> corners) {
+    Point sum;
+    for (const VertexId v : corners) {
+      sum.x += mesh.points[v].x / static_cast<double>(corners.size());
+      sum.y += mesh.points[v].y / static_cast<double>(corners.size());
+    }
+    return sum;
+  };
+  const std::size_t count = mesh.face_count();
+  for (std::size_t f = 0; f < count; ++f) {
+    line.points.push_back(middle(mesh.face(f)));
+    if (f + 1 == count && !line.closed) break;
+    const auto next = mesh.face((f + 1) % count);
+    std::vector<VertexId> shared;
+    for (const VertexId v : mesh.face(f)) {
+      if (std::find(next.begin(), next.end(), v) != next.end()) shared.push_back(v);
+    }
+    line.points.push_back(middle(shared));
+  }
+  return line;
+}
+
+void draw(const TriangulateOptions& o, const MadeTriangles& made) {
+  if (o.picture.empty()) return;
+  io::DrawOptions drawing;
+  drawing.colour = io::ColourBy::kNone;
+  drawing.title = fmt::format("{}: {}", short_name(o.input.path),
+                              counted(made.file.mesh.face_count(), "triangle"));
+  drawing.steiner = made.steiner;
+  if (made.order) drawing.overlay = {line_of(made.file.mesh, *made.order)};
+  io::draw_mesh(o.picture, made.file, drawing);
+}
+
 int triangulate(const TriangulateOptions& o) {
   require_mesh(o.output, o.output_format);
   require_picture(o.picture);
-  FoundInput found = find_input(o.input.path, o.input.reading.format, o.kind);
-  if (found.kind == InputKind::kMesh) {
-    throw Error(ErrorCode::kBadOption,
-                fmt::format("'{}' is a mesh already; points and polygons can be triangulated",
-                            o.input.path));
-  }
-  const Triangles made = found.kind == InputKind::kPolygons ? from_polygons(o, std::move(found))
-                         : found.planar
-                             ? from_points(take_points(std::move(*found.planar)))
-                             : from_points(io::read_points(o.input.path, o.input.reading));
+  MadeTriangles made = make(o, find_input(o.input.path, o.input.reading.format, o.input_kind));
+  tell_order(made);
   std::FILE* const to = o.output == "-" || !made.certificate.ok() ? stderr : stdout;
   if (made.certificate.ok()) {
     io::write_mesh(o.output, made.file, o.output_format);
-    if (!o.picture.empty()) {
-      io::DrawOptions draw;
-      draw.colour = io::ColourBy::kNone;
-      draw.title = fmt::format("{}: {}", short_name(o.input.path),
-                               counted(made.file.mesh.face_count(), "triangle"));
-      io::draw_mesh(o.picture, made.file, draw);
-    }
+    draw(o, made);
   }
-  fmt::print(to, "{}, {}, {:.2f} s\n{}\n", counted(made.file.mesh.points.size(), "point"),
-             counted(made.file.mesh.face_count(), "triangle"), made.seconds, made.verdict);
+  fmt::print(to, "{}, {}, {:.2f} s\n{}{}\n", counted(made.file.mesh.points.size(), "point"),
+             counted(made.file.mesh.face_count(), "triangle"), made.seconds, made.remarks,
+             made.verdict);
   return made.certificate.ok() ? kDone : kCheckFailed;
 }
 
 }  // namespace
 
+std::string name_of(TriangulationKind kind) { return find_name(kKinds, kind); }
+
+CertifyOptions triangles_alone(std::size_t steiner_at_most) {
+  CertifyOptions promise;
+  promise.corners = 3;
+  promise.steiner_at_most = steiner_at_most;
+  return promise;
+}
+
+void no_such_kind(TriangulationKind kind, const std::string& input, const std::string& kinds) {
+  throw Error(ErrorCode::kBadOption, fmt::format("there is no --kind {} for {}; there are {}",
+                                                 name_of(kind), input, kinds));
+}
+
 void add_triangulate(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand(
-      "triangulate", "Points or polygons to their (constrained) Delaunay triangles");
+      "triangulate", "Points or polygons to triangles, Delaunay ones or one beside the other");
   verb->footer(
       "\nNo point is added. Triangles of polygons carry the number of their polygon (part) and "
       "its\n"
-      "numbers; segments are written as lines.\n"
+      "numbers; segments are written as lines. In the other kinds than delaunay the order of the\n"
+      "triangles is the result: the order of the faces, the face data \"order\" of .vtu and .ply, "
+      "a\n"
+      "line in the picture.\n"
       "\n"
       "  quadloom triangulate towns.csv -o towns.off\n"
+      "  quadloom triangulate towns.csv --kind hamiltonian-path -o path.vtu --picture path.svg\n"
       "  quadloom triangulate lake.geojson -o lake.vtu --picture lake.svg");
   const auto o = std::make_shared<TriangulateOptions>();
   add_any_input(*verb, o->input);
-  add_kind(*verb, o->kind);
+  add_kind(*verb, o->input_kind);
+  add_choice(*verb, "--kind", o->kind, kKinds,
+             "Points: delaunay, hamiltonian-path or serpentine, both of which put each triangle "
+             "beside the one before; polygons: delaunay");
   verb->add_option("-o,--output", o->output,
                    "Mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or - for standard output")
       ->required();

@@ -42,6 +42,8 @@ enum class Fault {
   kSteinerOnBoundary,
   kFans,      ///< surfaces: the faces at a vertex hang together otherwise than in the source
   kTopology,  ///< surfaces: other components, or one of another Euler characteristic
+  kOrder,  ///< neighbours in an order of triangles that share no edge; a cycle that is not closed
+  kTurns,  ///< an order of triangles that is not sequential
 };
 
 /// The verdict with its figures (counted up to the fault) and, for a fault, a sentence and the
@@ -99,6 +101,13 @@ Certificate certify_mesh(const PolygonMesh& mesh, const PolygonMesh& source,
 Certificate certify_surface(const PolygonMesh& mesh, std::span<const double> z,
                             const PolygonMesh& source, std::span<const double> source_z,
                             const CertifyOptions& options = {});
+
+/// Proves that the order of the faces, all of them triangles, is of that kind: consecutive ones have an
+/// edge in opposite directions, and what OrderKind says. That no triangle stands there twice, and that
+/// they tile something, is for the other certificates. Culprits: the two faces; for kTurns the first
+/// face that no sequence of vertices reaches. Also kNoFaces, kCornerCount, kIndexOutOfRange,
+/// kRepeatedCorner. Linear.
+Certificate certify_order(const PolygonMesh& mesh, OrderKind kind);
 
 /// Shape figures of a mesh. Angles in degrees; an edge between two faces counts once.
 struct Quality {

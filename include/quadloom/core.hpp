@@ -95,6 +95,14 @@ struct TriangleMesh {
                                        ///< source had a quad, else kNone; empty: triangles only
 };
 
+/// What the order of a mesh's triangles promises: in all of them consecutive triangles share an edge.
+enum class OrderKind {
+  kPath,        ///< no more than that: a Hamiltonian path of the dual graph
+  kCycle,       ///< the last triangle and the first share one, too; at least three triangles
+  kSequential,  ///< triangle i has the vertices i, i + 1 and i + 2 of one sequence of vertices, so that
+                ///< left and right turns alternate
+};
+
 /// The same mesh as polygons: quads first, then triangles.
 PolygonMesh to_polygon_mesh(const Quadrangulation& mesh);
 PolygonMesh to_polygon_mesh(const Triangulation& mesh);

@@ -8,3 +8,4 @@
 #include "quadloom/generate.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadloom/quadrangulate.hpp"
+#include "quadloom/strips.hpp"
