@@ -1,11 +1,14 @@
 #include "make_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "convex_facts.hpp"
 #include "elevation.hpp"
+#include "facts.hpp"
 #include "quadloom/kernel.hpp"
 #include "timer.hpp"
 
@@ -17,6 +20,8 @@ struct Source {
   PolygonMesh mesh;
   std::vector<VertexId> input_to_vertex;
 };
+
+constexpr std::size_t kMostExactPoints = 20;  // all that the search takes
 
 bool by_subdivision(const PointRun& run) { return run.making.method == PointMethod::kSubdivide; }
 
@@ -34,8 +39,36 @@ ConvexOptions convex_options(const PointOptions& options) {
   return convex;
 }
 
+/// Says that there is no mesh of strictly convex quads alone, or that it is not known.
+[[noreturn]] void no_exact_mesh(const ExactConvexResult& result) {
+  const std::string quads = counted(result.quads, "quad");
+  throw Error(
+      ErrorCode::kGuarantee,
+      result.convex == Answer::kNo
+          ? fmt::format("no mesh without an added point has strictly convex quads alone; at "
+                        "most {} of the {} can be",
+                        *result.most_convex, quads)
+          : fmt::format("not known after {} tried whether a mesh without an added point has "
+                        "strictly convex quads alone",
+                        counted(result.work, "face")));
+}
+
+Source run_exact(const io::PointTable& table, const PointRun& run, MadeMesh& made) {
+  const Timer timer;
+  ExactConvexOptions options;
+  options.points_at_most = kMostExactPoints;
+  options.progress = run.making.progress;
+  ExactConvexResult result = exact_convex_quadrangulation(table.points, options);
+  if (result.convex != Answer::kYes) no_exact_mesh(result);
+  made.input_vertices = result.mesh.points.size();
+  made.statistics.hull_points = result.hull_points;
+  made.seconds = timer.seconds();
+  return {to_polygon_mesh(result.mesh), std::move(result.input_to_vertex)};
+}
+
 Source run_algorithm(const io::PointTable& table, const PointRun& run, MadeMesh& made) {
-  const auto& [options, k, convex] = run;
+  if (run.exact) return run_exact(table, run, made);
+  const auto& [options, k, convex, exact] = run;
   const Timer timer;
   Source source;
   if (convex && !by_subdivision(run)) {
@@ -72,7 +105,11 @@ CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
   if (run.k > 4) return promise;  // the number of added points is told apart: beyond_bound()
   const bool odd = made.statistics.hull_points % 2 == 1;
   const bool triangle = run.making.odd_boundary == OddBoundary::kTriangle;
-  if (made.convex) {  // a triangle stays where no place is outside
+  if (run.exact) {
+    promise.strictly_convex = true;
+    promise.triangles_allowed = odd ? 1 : 0;
+    promise.steiner_at_most = 0;
+  } else if (made.convex) {  // a triangle stays where no place is outside
     const bool outside =
         std::any_of(made.steiner.begin(), made.steiner.end(),
                     [](const SteinerPoint& s) { return s.kind == SteinerKind::kOutside; });

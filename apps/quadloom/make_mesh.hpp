@@ -16,6 +16,7 @@ struct PointRun {
   PointOptions making;
   std::size_t k = 4;    // corners of the faces: 4 by the method of the options, more by the spiral
   bool convex = false;  // strictly convex quads: kDelaunay and kSpiral by convex_quadrangulation
+  bool exact = false;   // convex: without added points, or the answer that there is no such mesh
 };
 
 struct MadeMesh {
@@ -34,7 +35,8 @@ struct MadeMesh {
   double certify_seconds = 0;
 };
 
-/// Throws Error kBadOption for PointRun::convex with kInsertion, or with OddBoundary::kOnEdge.
+/// Throws Error kBadOption for PointRun::convex with kInsertion, or with OddBoundary::kOnEdge;
+/// kGuarantee for PointRun::exact if there is no such mesh, or if that is not known.
 MadeMesh make_mesh(const io::PointTable& table, const PointRun& run);
 
 /// More points were added than Bose and Toussaint's bound for faces of k > 4 corners, k - 3.

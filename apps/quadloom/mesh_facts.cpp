@@ -202,7 +202,7 @@ Json conversion_json(const SourceMesh& source, const Conversion& made,
   json["convex"] = options.convex;
   if (options.convex) json["seed"] = options.seed;
   if (made.mending) json["mending"] = mending_json(*made.mending);
-  if (options.convex) json["not_convex"] = not_convex_json(made.not_convex);
+  if (options.convex) json["not_convex"] = not_convex_json(made.file.mesh, made.not_convex);
   json["triangles_left"] = made.result.mesh.triangle_count();
   json["added_points"] = made.result.steiner.size();
   json["added_points_listed"] = added_json(made);

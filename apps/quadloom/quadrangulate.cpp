@@ -21,6 +21,7 @@ struct QuadrangulateOptions {
   double keep_angle = 0;
   std::uint64_t seed = 1;
   bool convex = false;
+  bool exact = false;
   PointRun points;
   MeshRun mesh;
   OutputOptions output;
@@ -38,12 +39,24 @@ void refuse(const QuadrangulateOptions& o, std::initializer_list<const char*> op
   }
 }
 
+PointRun exact_run(const QuadrangulateOptions& o, PointRun run) {
+  if (!o.convex) throw Error(ErrorCode::kBadOption, "--exact: is for --convex");
+  refuse(o, {"--method", "--seed", "--k"}, "is not for --exact, which tries every mesh");
+  if (o.has("--odd-boundary") && o.odd_boundary != OddBoundary::kTriangle) {
+    throw Error(ErrorCode::kBadOption, "--odd-boundary: --exact adds no point, a triangle stays");
+  }
+  run.making.odd_boundary = OddBoundary::kTriangle;
+  run.convex = run.exact = true;
+  return run;
+}
+
 PointRun point_run(const QuadrangulateOptions& o) {
   refuse(o,
          {"--leftover", "--pairs", "--weight", "--matching", "--min-quality", "--regions",
           "--keep-angle", "--keep", "--space", "--faulty", "--merge-vertices"},
          "is for meshes and polygons, not for points");
   PointRun run = o.points;
+  if (o.exact) return exact_run(o, run);
   if (o.has("--method")) run.making.method = point_method(o.method);
   if (o.has("--odd-boundary")) run.making.odd_boundary = o.odd_boundary;
   run.making.seed = o.seed;
@@ -59,7 +72,7 @@ PointRun point_run(const QuadrangulateOptions& o) {
 }
 
 MeshRun mesh_run(const QuadrangulateOptions& o, InputKind kind) {
-  refuse(o, {"--k", "--columns"}, "is for points, not for meshes and polygons");
+  refuse(o, {"--k", "--columns", "--exact"}, "is for points, not for meshes and polygons");
   if (!o.convex) refuse(o, {"--seed"}, "is for points, and for --convex");
   MeshRun run = o.mesh;
   if (o.has("--method")) run.conversion.triangles.method = triangle_method(o.method);
@@ -142,6 +155,7 @@ constexpr const char* kFooter =
     "  quadloom quadrangulate coast.14 -o coast.vtu --report facts.json\n"
     "  quadloom quadrangulate lake.geojson -o lake.msh --method q-percolate\n"
     "  quadloom quadrangulate towns.csv --convex -o towns.vtu\n"
+    "  quadloom quadrangulate few.xyz --convex --exact -o few.obj\n"
     "  cat points.xyz | quadloom quadrangulate - -o - --output-format off > mesh.off";
 
 }  // namespace
@@ -167,6 +181,9 @@ void add_quadrangulate(CLI::App& app, Run& run) {
   verb->add_flag("--convex", o->convex,
                  "All quads strictly convex: points by delaunay (few points added) or spiral, "
                  "planar meshes and polygons by pair");
+  verb->add_flag("--exact", o->exact,
+                 "Points with --convex, 20 at most: no point is added; every mesh is tried, and if "
+                 "none will do, that is said (exit code 4)");
   add_whole(*verb, "--seed", o->seed, 0, kNoLimit, "Points and --convex: seed of random choices");
   add_whole(*verb, "--k", o->points.k, 4, 1 << 20,
             "Points: corners of each face; above 4 the method is the spiral");

@@ -51,7 +51,7 @@ Json quality_json(const Quality& q) {
 }
 
 Json mesh_json(const MadeMesh& made, const PointRun& run) {
-  const auto& [options, k, convex] = run;
+  const auto& [options, k, convex, exact] = run;
   const PointStatistics& s = made.statistics;
   Json added = Json::array();
   constexpr std::size_t kMostListed = 1000;
@@ -65,6 +65,7 @@ Json mesh_json(const MadeMesh& made, const PointRun& run) {
   Json json = {{"method", k == 4 ? name_of(options.method) : "spiral"},
                {"k", k},
                {"convex", convex},
+               {"exact", exact},
                {"odd_boundary", name_of(options.odd_boundary)},
                {"seed", options.seed},
                {"distinct_points", made.input_vertices},
@@ -80,7 +81,7 @@ Json mesh_json(const MadeMesh& made, const PointRun& run) {
                {"quality", quality_json(made.quality)},
                {"seconds", {{"mesh", made.seconds}, {"certify", made.certify_seconds}}}};
   if (made.convex) json["convex_statistics"] = convex_json(*made.convex);
-  if (convex) json["not_convex"] = not_convex_json(made.not_convex);
+  if (convex) json["not_convex"] = not_convex_json(made.file.mesh, made.not_convex);
   return json;
 }
 

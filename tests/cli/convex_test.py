@@ -95,10 +95,29 @@ class Points(Convex):
         default, paper = (json.loads((self.folder / f).read_text())["mesh"] for f in ["d.json", "s.json"])
         self.assertTrue(default["convex"] and paper["convex"])
         self.assertEqual((default["added_points"], paper["added_points"]), (few, many))
-        self.assertEqual(default["not_convex"], {"quads": 0, "listed": []})
+        self.assertEqual(default["not_convex"], {"quads": 0, "listed": [], "corners": []})
         self.assertGreater(default["convex_statistics"]["mending"]["bad"], 0)
         by_points = paper["convex_statistics"]["patches_by_points"]
         self.assertLessEqual(abs(sum(i * n for i, n in enumerate(by_points)) - many), 1)
+
+    def test_exactly(self):
+        answers = []
+        for seed in range(12):
+            rng = random.Random(seed)
+            points = sorted({(rng.randrange(9), rng.randrange(9)) for _ in range(9)} | {(0, 0), (1, 0), (0, 1)})
+            self.write("p.xyz", "".join(f"{x} {y}\n" for x, y in points))
+            hull = independent_check.hull_edges(range(len(points)), points)
+            run = self.run_app("quadrangulate", "p.xyz", "--convex", "--exact", "-o", "m.obj")
+            answers.append(run.returncode)
+            with self.subTest(seed=seed):
+                if run.returncode == 0:
+                    self.assertEqual(self.judge("p.xyz", triangles=len(hull) % 2), 0)
+                    continue
+                self.assertEqual(run.returncode, 4, run.stderr)
+                self.assertRegex(run.stderr, r"^quadloom: no mesh without an added point .* \d+ of the \d+ quads? can be")
+                self.convert("p.xyz", "--odd-boundary", "triangle")
+                self.assertGreater(self.judge("p.xyz", triangles=len(hull) % 2), 0)
+        self.assertEqual(set(answers), {0, 4})
 
     def test_heights_and_the_seed(self):
         rng = random.Random(2)
@@ -129,11 +148,18 @@ class Points(Convex):
                                "--report", "r.json", *quiet)
             self.assertEqual(run.returncode, 4, run.stderr)
             self.assertRegex(run.stderr, r"^quadloom: \d+ quads are not strictly convex, no doubles .*: "
-                                         r"the vertices \d+ \(.*\), \d+ \(.*\), \d+ \(.*\), \d+ \(.*\)")
+                                         r"the vertices \d+ \(.*\), \d+ \(.*\), \d+ \(.*\), \d+ \(.*\), "
+                                         r"(flat|reflex) at \d+")
             independent_check.check(self.folder / "m.obj", read_xyz(self.folder / "p.xyz"))
             mesh = json.loads((self.folder / "r.json").read_text())["mesh"]
             _, faces = independent_check.read_obj(self.folder / "m.obj")
             self.assertEqual(len(mesh["not_convex"]["listed"]), mesh["not_convex"]["quads"])
+            corners = mesh["not_convex"]["corners"]
+            self.assertEqual({c["quad"] for c in corners}, set(mesh["not_convex"]["listed"]))
+            hull = set(sum(independent_check.hull_edges(range(60), read_xyz(self.folder / "p.xyz")), ()))
+            for c in corners:
+                self.assertIn(c["turn"], ["flat", "reflex"])
+                self.assertEqual(c["boundary"], c["vertex"] in hull)
             quality = mesh["certificate"]
             self.assertEqual(quality["strictly_convex"] + mesh["not_convex"]["quads"], len(faces))
 
@@ -194,9 +220,16 @@ class Use(Convex):
                 ("p.xyz", ["--convex", "spiral"], ["--method", "insertion"]),
                 ("p.xyz", ["--convex", "4 corners"], ["--k", "6"]),
                 ("odd.xyz", ["flat corner"], ["--odd-boundary", "on-edge"]),
-                ("p.xyz", ["--leftover"], ["--leftover", "walk"])]:
+                ("p.xyz", ["--leftover"], ["--leftover", "walk"]),
+                ("p.xyz", ["--method", "--exact"], ["--exact", "--method", "spiral"]),
+                ("odd.xyz", ["a triangle stays"], ["--exact", "--odd-boundary", "outside"])]:
             with self.subTest(options=options):
                 self.refuses(2, fragments, "quadrangulate", source, "--convex", "-o", "m.obj", *options)
+
+        self.refuses(2, ["--exact", "--convex"], "quadrangulate", "p.xyz", "--exact", "-o", "m.obj")
+        self.write("many.xyz", "".join(f"{i} {i * i}\n" for i in range(21)))
+        self.refuses(2, ["21 distinct points", "20"], "quadrangulate", "many.xyz", "--convex", "--exact", "-o",
+                     "m.obj")
 
     def test_meshes(self):
         self.write("s.obj", ARROW)
