@@ -45,6 +45,44 @@ struct SequentialOrder {
 /// twins that do not agree. O(n).
 std::optional<SequentialOrder> sequential_order(const Triangulation& mesh);
 
+struct RefinementOptions {
+  Progress progress = {};
+};
+
+/// A refined mesh whose triangles stand in the order of Hamiltonian cycles, one for each component of
+/// the input.
+struct HamiltonianRefinement {
+  TriangleMesh mesh;  ///< with the input's regions and edges to keep; no given_pair
+  std::vector<std::uint32_t> cycle_begin = {0};  ///< cycle i is the triangles cycle_begin[i] ..
+                                                 ///< cycle_begin[i + 1]
+  std::size_t input_vertices = 0;                ///< which come first, with their numbers
+  std::vector<std::array<TriangleId, 2>>
+      source;                         ///< per triangle: what it was cut from; the second
+                                      ///< kNone, but for those on both sides of a flip
+  std::vector<SteinerPoint> steiner;  ///< one in each triangle, then the midpoints
+  std::size_t flips = 0;
+  std::size_t midpoints = 0;    ///< added on edges that must stay
+  std::size_t moved = 0;        ///< inner points that could not be at the incentre
+  double min_angle_before = 0;  ///< degrees, in floating point
+  double min_angle_after = 0;
+
+  std::size_t cycle_count() const { return cycle_begin.size() - 1; }
+};
+
+/// Makes a triangulation, in the plane or of a surface, Hamiltonian (Arkin, Held, Mitchell and Skiena,
+/// theorem 2.4): k triangles become 3 k, by a point in each and flips along a spanning tree of the dual
+/// graph. Vertices and boundary stay. Edges to keep and those between regions stay as well; where a
+/// component hangs together over such edges alone, as few of them as possible get a midpoint (as rounded),
+/// and two triangles more.
+///
+/// Guarantee: in the plane no angle is smaller than half the smallest angle of the input, up to
+/// rounding, if `moved` is 0; on a surface it is measured only. Throws Error kGuarantee (a triangle
+/// without a double inside, or one that hangs on an edge that can be neither flipped nor split), as
+/// quadrangulate_triangles for a mesh whose parts do not agree, kTooManyPoints, kCancelled.
+/// O(k log k).
+HamiltonianRefinement hamiltonian_refinement(const TriangleMesh& input,
+                                             const RefinementOptions& options = {});
+
 // ---- Strips and their encodings. ----
 
 }  // namespace quadloom
