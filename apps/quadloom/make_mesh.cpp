@@ -9,6 +9,7 @@
 #include "convex_facts.hpp"
 #include "elevation.hpp"
 #include "facts.hpp"
+#include "options.hpp"
 #include "quadloom/kernel.hpp"
 #include "timer.hpp"
 
@@ -25,17 +26,12 @@ constexpr std::size_t kMostExactPoints = 20;  // all that the search takes
 
 bool by_subdivision(const PointRun& run) { return run.making.method == PointMethod::kSubdivide; }
 
-ConvexOptions convex_options(const PointOptions& options) {
+ConvexOptions convex_options(const PointRun& run) {
   ConvexOptions convex;
-  if (options.method == PointMethod::kSpiral) {
-    convex.method = ConvexMethod::kSpiral;
-  } else if (options.method != PointMethod::kDelaunay) {
-    throw Error(ErrorCode::kBadOption,
-                "--convex: strictly convex quads are made by delaunay, spiral and subdivide");
-  }
-  convex.odd_boundary = options.odd_boundary;
-  convex.seed = options.seed;
-  convex.progress = options.progress;
+  convex.method = run.convex_method;
+  convex.odd_boundary = run.making.odd_boundary;
+  convex.seed = run.making.seed;
+  convex.progress = run.making.progress;
   return convex;
 }
 
@@ -68,11 +64,11 @@ Source run_exact(const io::PointTable& table, const PointRun& run, MadeMesh& mad
 
 Source run_algorithm(const io::PointTable& table, const PointRun& run, MadeMesh& made) {
   if (run.exact) return run_exact(table, run, made);
-  const auto& [options, k, convex, exact] = run;
+  const PointOptions& options = run.making;
   const Timer timer;
   Source source;
-  if (convex && !by_subdivision(run)) {
-    ConvexResult result = convex_quadrangulation(table.points, convex_options(options));
+  if (run.convex && !by_subdivision(run)) {
+    ConvexResult result = convex_quadrangulation(table.points, convex_options(run));
     made.input_vertices = result.input_vertices;
     made.steiner = std::move(result.steiner);
     made.statistics.hull_points = result.statistics.hull_points;
@@ -80,22 +76,29 @@ Source run_algorithm(const io::PointTable& table, const PointRun& run, MadeMesh&
     made.not_convex = std::move(result.not_convex);
     made.seconds = timer.seconds();
     source = {to_polygon_mesh(result.mesh), std::move(result.input_to_vertex)};
-  } else if (k == 4) {
+  } else if (run.k == 4) {
     PointResult result = quadrangulate_points(table.points, options);
-    if (convex) made.not_convex = find_not_convex(result.mesh);
+    if (run.convex) made.not_convex = find_not_convex(result.mesh);
     made.input_vertices = result.input_vertices;
     made.steiner = std::move(result.steiner);
     made.statistics = result.statistics;
     made.seconds = timer.seconds();
     source = {to_polygon_mesh(result.mesh), std::move(result.input_to_vertex)};
   } else {
-    KAngulationResult result = k_angulate_points(table.points, k, options);
+    KAngulationResult result = k_angulate_points(table.points, run.k, options);
     made.input_vertices = result.input_vertices;
     made.steiner = std::move(result.steiner);
     made.seconds = timer.seconds();
     source = {std::move(result.mesh), std::move(result.input_to_vertex)};
   }
   return source;
+}
+
+// Theorem 4.2 of Ramaswami, Ramos and Toussaint, theorem 3.1 of Bremner, Hurtado, Ramaswami and Sacristan.
+std::size_t convex_bound(const MadeMesh& made, const PointRun& run) {
+  const std::size_t triangles = 2 * made.input_vertices - 2 - made.statistics.hull_points;
+  return run.convex_method == ConvexMethod::kPentagons ? 7 * ((triangles + 5) / 6)
+                                                       : 3 * (made.input_vertices / 2);
 }
 
 // What the theorems promise for this input and these options.
@@ -115,7 +118,7 @@ CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
                     [](const SteinerPoint& s) { return s.kind == SteinerKind::kOutside; });
     promise.strictly_convex = made.not_convex.empty();
     promise.triangles_allowed = odd && !outside ? 1 : 0;
-    promise.steiner_at_most = 3 * (made.input_vertices / 2) + (odd && !triangle ? 1 : 0);
+    promise.steiner_at_most = convex_bound(made, run) + (odd && !triangle ? 1 : 0);
   } else if (by_subdivision(run) && !made.statistics.fell_back_to_spiral) {
     promise.strictly_convex = true;
   } else {
@@ -181,6 +184,12 @@ MadeMesh make_mesh(const io::PointTable& table, const PointRun& run) {
   }
   add_attributes(made);
   return made;
+}
+
+std::string method_name(const PointRun& run) {
+  if (run.k > 4) return name_of(PointMethod::kSpiral);
+  if (run.convex && !by_subdivision(run)) return name_of(run.convex_method);
+  return name_of(run.making.method);
 }
 
 bool beyond_bound(const MadeMesh& made, std::size_t k) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "quadloom/certify.hpp"
@@ -15,8 +16,9 @@ namespace quadloom::app {
 struct PointRun {
   PointOptions making;
   std::size_t k = 4;    // corners of the faces: 4 by the method of the options, more by the spiral
-  bool convex = false;  // strictly convex quads: kDelaunay and kSpiral by convex_quadrangulation
-  bool exact = false;   // convex: without added points, or the answer that there is no such mesh
+  bool convex = false;  // strictly convex quads by convex_quadrangulation, or kSubdivide
+  ConvexMethod convex_method = ConvexMethod::kDelaunay;  // of convex, but for kSubdivide
+  bool exact = false;  // convex: without added points, or the answer that there is no such mesh
 };
 
 struct MadeMesh {
@@ -35,9 +37,12 @@ struct MadeMesh {
   double certify_seconds = 0;
 };
 
-/// Throws Error kBadOption for PointRun::convex with kInsertion, or with OddBoundary::kOnEdge;
+/// Throws Error kBadOption for PointRun::convex with OddBoundary::kOnEdge;
 /// kGuarantee for PointRun::exact if there is no such mesh, or if that is not known.
 MadeMesh make_mesh(const io::PointTable& table, const PointRun& run);
+
+/// As on the command line.
+std::string method_name(const PointRun& run);
 
 /// More points were added than Bose and Toussaint's bound for faces of k > 4 corners, k - 3.
 bool beyond_bound(const MadeMesh& made, std::size_t k);

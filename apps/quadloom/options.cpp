@@ -15,6 +15,10 @@ const std::map<std::string, PointMethod> kMethods = {{"delaunay", PointMethod::k
                                                      {"spiral", PointMethod::kSpiral},
                                                      {"insertion", PointMethod::kInsertion},
                                                      {"subdivide", PointMethod::kSubdivide}};
+const std::map<std::string, ConvexMethod> kConvexMethods = {
+    {"delaunay", ConvexMethod::kDelaunay},
+    {"spiral", ConvexMethod::kSpiral},
+    {"pentagons", ConvexMethod::kPentagons}};
 const std::map<std::string, OddBoundary> kOddBoundaries = {{"outside", OddBoundary::kOutside},
                                                            {"on-edge", OddBoundary::kOnEdge},
                                                            {"triangle", OddBoundary::kTriangle}};
@@ -176,11 +180,14 @@ CLI::Option* add_odd_boundary(CLI::App& verb, OddBoundary& odd_boundary) {
 }
 
 PointMethod point_method(const std::string& word) { return find_method(kMethods, word, "points"); }
+ConvexMethod convex_method(const std::string& word) {
+  return find_method(kConvexMethods, word, "points with --convex, beside subdivide");
+}
 TriangleMethod triangle_method(const std::string& word) {
   return find_method(kTriangleMethods, word, "meshes and polygons");
 }
 std::string method_words() {
-  return all_words(kMethods) + "; meshes, polygons: " + all_words(kTriangleMethods);
+  return all_words(kMethods) + "|pentagons; meshes, polygons: " + all_words(kTriangleMethods);
 }
 
 void add_colour(CLI::App& verb, io::ColourBy& colour) {
@@ -188,6 +195,7 @@ void add_colour(CLI::App& verb, io::ColourBy& colour) {
 }
 
 std::string name_of(PointMethod method) { return find_name(kMethods, method); }
+std::string name_of(ConvexMethod method) { return find_name(kConvexMethods, method); }
 std::string name_of(TriangleMethod method) { return find_name(kTriangleMethods, method); }
 std::string name_of(Leftover leftover) { return find_name(kLeftovers, leftover); }
 std::string name_of(PairKind pairs) { return find_name(kPairKinds, pairs); }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input_kind.hpp"
+#include "quadloom/convex.hpp"
 #include "quadloom/io.hpp"
 #include "quadloom/quadrangulate.hpp"
 
@@ -53,6 +54,7 @@ void add_space(CLI::App& verb, Space& space, const std::string& help);
 
 /// The method of that name for the kind of input. Throws Error kBadOption, which lists those there are.
 PointMethod point_method(const std::string& word);
+ConvexMethod convex_method(const std::string& word);
 TriangleMethod triangle_method(const std::string& word);
 std::string method_words();
 
@@ -60,6 +62,7 @@ void add_colour(CLI::App& verb, io::ColourBy& colour);
 
 /// The name of an enum's value as it is written on the command line.
 std::string name_of(PointMethod method);
+std::string name_of(ConvexMethod method);
 std::string name_of(TriangleMethod method);
 std::string name_of(Leftover leftover);
 std::string name_of(PairKind pairs);

@@ -57,7 +57,11 @@ PointRun point_run(const QuadrangulateOptions& o) {
          "is for meshes and polygons, not for points");
   PointRun run = o.points;
   if (o.exact) return exact_run(o, run);
-  if (o.has("--method")) run.making.method = point_method(o.method);
+  if (o.convex && o.has("--method") && o.method != "subdivide") {
+    run.convex_method = convex_method(o.method);
+  } else if (o.has("--method")) {
+    run.making.method = point_method(o.method);
+  }
   if (o.has("--odd-boundary")) run.making.odd_boundary = o.odd_boundary;
   run.making.seed = o.seed;
   run.convex = o.convex;
@@ -174,13 +178,14 @@ void add_quadrangulate(CLI::App& app, Run& run) {
                    "Format of the mesh if not by the name; msh22 is version 2.2 of msh");
   verb->add_option("--method", o->method,
                    "Points: delaunay (the best shapes), spiral, insertion (Bose and Toussaint's), "
-                   "subdivide (all strictly convex); meshes and polygons: pair, percolate, fans, "
+                   "subdivide (all strictly convex), pentagons (with --convex); meshes and "
+                   "polygons: pair, percolate, fans, "
                    "q-percolate, quarter, subdivide")
       ->type_name(method_words());
   add_odd_boundary(*verb, o->odd_boundary)->default_str("");
   verb->add_flag("--convex", o->convex,
-                 "All quads strictly convex: points by delaunay (few points added) or spiral, "
-                 "planar meshes and polygons by pair");
+                 "All quads strictly convex: points by delaunay (few points added), spiral or "
+                 "pentagons (as in two papers), planar meshes and polygons by pair");
   verb->add_flag("--exact", o->exact,
                  "Points with --convex, 20 at most: no point is added; every mesh is tried, and if "
                  "none will do, that is said (exit code 4)");

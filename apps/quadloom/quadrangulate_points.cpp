@@ -24,9 +24,8 @@ void write_picture(const MadeMesh& made, const std::string& path, const PointRun
                    const std::string& picture) {
   if (picture.empty()) return;
   io::DrawOptions options;
-  options.title =
-      fmt::format("{}: {}, {}", short_name(path), counted(made.input_vertices, "point"),
-                  run.k == 4 ? name_of(run.making.method) : fmt::format("{}-gons", run.k));
+  options.title = fmt::format("{}: {}, {}", short_name(path), counted(made.input_vertices, "point"),
+                              run.k == 4 ? method_name(run) : fmt::format("{}-gons", run.k));
   if (run.convex && made.not_convex.empty()) options.title += ", strictly convex";
   options.steiner = steiner_vertices(made);
   io::draw_mesh(picture, made.file, options);

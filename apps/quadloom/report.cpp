@@ -51,7 +51,7 @@ Json quality_json(const Quality& q) {
 }
 
 Json mesh_json(const MadeMesh& made, const PointRun& run) {
-  const auto& [options, k, convex, exact] = run;
+  const PointOptions& options = run.making;
   const PointStatistics& s = made.statistics;
   Json added = Json::array();
   constexpr std::size_t kMostListed = 1000;
@@ -62,10 +62,10 @@ Json mesh_json(const MadeMesh& made, const PointRun& run) {
                      {"x", p.x},
                      {"y", p.y}});
   }
-  Json json = {{"method", k == 4 ? name_of(options.method) : "spiral"},
-               {"k", k},
-               {"convex", convex},
-               {"exact", exact},
+  Json json = {{"method", method_name(run)},
+               {"k", run.k},
+               {"convex", run.convex},
+               {"exact", run.exact},
                {"odd_boundary", name_of(options.odd_boundary)},
                {"seed", options.seed},
                {"distinct_points", made.input_vertices},
@@ -81,7 +81,7 @@ Json mesh_json(const MadeMesh& made, const PointRun& run) {
                {"quality", quality_json(made.quality)},
                {"seconds", {{"mesh", made.seconds}, {"certify", made.certify_seconds}}}};
   if (made.convex) json["convex_statistics"] = convex_json(*made.convex);
-  if (convex) json["not_convex"] = not_convex_json(made.file.mesh, made.not_convex);
+  if (run.convex) json["not_convex"] = not_convex_json(made.file.mesh, made.not_convex);
   return json;
 }
 

@@ -47,6 +47,8 @@ enum class ConvexMethod {
               ///< Steiner points (the default)
   kSpiral,  ///< Bremner, Hurtado, Ramaswami and Sacristan: the path of the spiral's triangles, cut
             ///< into quads and pairs of quads such that few Steiner points are added
+  kPentagons,  ///< Ramaswami, Ramos and Toussaint, theorem 4.2: six triangles of that path at a time,
+               ///< two pentagons with a Steiner point between them
 };
 
 struct ConvexOptions {
@@ -89,7 +91,8 @@ struct ConvexResult {
 /// A quadrangulation of a point set in which all quads are strictly convex (but for `not_convex`).
 ///
 /// Guarantee (theorem 3.1): at most 3 floor(n / 2) inner Steiner points; as a rule about a third of that
-/// for kSpiral, and n / 6,000 on uniform points for kDelaunay, which gives kSpiral's mesh where that has fewer. If an odd number of points is on the hull: with OddBoundary::kOutside one Steiner point
+/// for kSpiral, and n / 6,000 on uniform points for kDelaunay, which gives kSpiral's mesh where that has
+/// fewer. kPentagons: at most 7 ceil((2n - 2 - h) / 6). If an odd number of points is on the hull: with OddBoundary::kOutside one Steiner point
 /// outside the hull where there is a place for it, else one triangle stays; kTriangle: one triangle
 /// stays. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled;
 /// kBadOption for OddBoundary::kOnEdge. O(n log n).

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convex/points_convex_delaunay.hpp"
+#include "convex/points_convex_pentagons.hpp"
 #include "convex/points_convex_spiral.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadrangulate/point_input.hpp"
@@ -13,9 +14,12 @@ namespace {
 /// From here on the spiral's mesh may have fewer points, and the bound is near.
 constexpr std::size_t kManyPoints = 10;  // points of the input for each added one
 
-ConvexResult by_spiral(std::span<const Point> input, const ConvexOptions& options) {
+/// By kPentagons, else by kSpiral.
+ConvexResult by_path(std::span<const Point> input, const ConvexOptions& options) {
   DistinctPoints distinct = quadrangulate::points_of_the_plane(input);
-  ConvexResult result = convex::convex_spiral_quadrangulation(distinct.points, options);
+  ConvexResult result = options.method == ConvexMethod::kPentagons
+                            ? convex::convex_pentagon_quadrangulation(distinct.points, options)
+                            : convex::convex_spiral_quadrangulation(distinct.points, options);
   result.input_to_vertex = std::move(distinct.input_to_vertex);
   return result;
 }
@@ -41,11 +45,11 @@ ConvexResult convex_quadrangulation(std::span<const Point> input, const ConvexOp
     throw Error(ErrorCode::kBadOption, "a point on a hull edge would be a flat corner");
   }
   report_progress(options.progress, "input", 0);
-  if (options.method == ConvexMethod::kSpiral) return by_spiral(input, options);
+  if (options.method != ConvexMethod::kDelaunay) return by_path(input, options);
   auto result = by_delaunay(input, options);
-  if (!result) return by_spiral(input, options);
+  if (!result) return by_path(input, options);
   if (result->steiner.size() * kManyPoints > result->input_vertices) {
-    ConvexResult spiral = by_spiral(input, options);
+    ConvexResult spiral = by_path(input, options);
     if (is_better(spiral, *result)) return spiral;
   }
   return std::move(*result);

@@ -2,285 +2,32 @@
 // path of triangles, paired to quads, the quads paired again and each union cut anew with inner Steiner
 // points. At most 3 floor(n / 2) of them.
 //
-//   1. choose_start     h odd: a hull edge with a place outside, for the first triangle, if wished
-//   2. make_serpentine  the path of t = 2n - 2 - h triangles (Bose and Toussaint's spiral)
-//   3. plan             the path in pieces: two triangles that are a strictly convex quad, two that are
-//                       not (4 points), four (the union of two quads, at most 3 points), and if t is
-//                       odd one triangle; those pieces with the fewest points in all
-//   4. build            each piece's patch
+//   1. path_of_points   the path of t = 2n - 2 - h triangles (Bose and Toussaint's spiral); h odd: from a
+//                       hull edge with a place outside, for the first triangle, if wished
+//   2. cheapest_pieces  the path in pieces (path_pieces.hpp): those with the fewest points in all
+//   3. build            each piece's patch
 //
 // Differs from the paper. It pairs all quads from one end, and quads that are convex as they are with
 // them; here a shortest path over the pieces chooses, so that the paper's pairing is one of the choices
 // and the bound holds. The paper knows unions of two quads that share one edge (a hexagon) or two (a
-// quad with a point inside). There is a third kind: in the hexagon two corners can be the same point,
-// where the path has gone around a triangle (triangles ABD, BED, BCE, CAE around ADE):
+// quad with a point inside); for a third kind see path_pieces.cpp.
 //
-//                C                     The search for a hexagon's quads does not mind, see hexagon.cpp.
-//              / | \                   If no doubles are found for a piece, its quads stay as they are,
-//            /   E   \                 at a cost that the plan avoids if it can, and the result says so.
-//          /  / /  \ -- \              Cost: O(n log n) for the layers, then O(n).
-//         A ----- D ----- B
+// Cost: O(n log n) for the layers, then O(n).
 #include "convex/points_convex_spiral.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <optional>
+#include <utility>
 
-#include "convex/hexagon.hpp"
-#include "convex/quad.hpp"
-#include "quadloom/kernel.hpp"
-#include "quadrangulate/odd_boundary.hpp"
-#include "quadrangulate/serpentine.hpp"
+#include "convex/path_pieces.hpp"
 
 namespace quadloom::convex {
 
-using quadrangulate::Replaced;
-using quadrangulate::Serpentine;
-
-namespace {
-
-constexpr std::uint64_t kPerStay = std::uint64_t{1} << 32;  // cost of a quad that is not convex
-
-struct OuterPlace {
-  VertexId start = kNone;  // of the hull edge
-  std::optional<Point> place;
-};
-
-OuterPlace choose_start(const std::vector<Point>& points, std::span<const VertexId> hull,
-                        OddBoundary odd) {
-  const std::size_t h = hull.size();
-  if (h % 2 == 0 || odd == OddBoundary::kTriangle) return {};
-  for (std::size_t i = 0; i < h; ++i) {
-    const auto place =
-        quadrangulate::place_outside(points[hull[(i + h - 1) % h]], points[hull[i]],
-                                     points[hull[(i + 1) % h]], points[hull[(i + 2) % h]]);
-    if (place) return {hull[i], place};
-  }
-  return {};
-}
-
-/// The boundary of a run of triangles of the path, counter-clockwise: the ends of the diagonals on the
-/// inner side, the last apex, the ends on the outer side backwards.
-template <std::size_t N>
-std::array<VertexId, N> union_of(const Serpentine& path, std::size_t first) {
-  std::array<VertexId, N> ring{};
-  constexpr std::size_t kTriangles = N - 2;
-  std::size_t front = 0, back = N;
-  ring[--back] = path.outer(first);
-  ring[front++] = path.inner(first);
-  for (std::size_t t = first; t + 1 < first + kTriangles; ++t) {
-    const bool outer = path.replaced(t) == Replaced::kOuter;
-    ring[outer ? --back : front++] = path.apex(t);
-  }
-  ring[front] = path.apex(first + kTriangles - 1);
-  return ring;
-}
-
-class Pieces {
- public:
-  Pieces(const std::vector<Point>& points, const Serpentine& path) : points_(points), path_(path) {}
-
-  /// Triangles t and t + 1.
-  bool quad_is_convex(std::size_t t) const {
-    const auto q = places_of(union_of<4>(path_, t));
-    return strictly_convex({q[0], 0}, {q[1], 1}, {q[2], 2}, {q[3], 3});
-  }
-
-  struct Found {
-    std::vector<VertexId> vertices;  // of the patch's numbers, without Steiner points
-    std::optional<Patch> patch;
-  };
-
-  Found patch_of_quad(std::size_t t) const {
-    const auto ring = union_of<4>(path_, t);
-    return {{ring.begin(), ring.end()}, patch_quad(places_of(ring))};
-  }
-
-  /// Triangles t to t + 3. A corner between two equal ones is inside of the union:
-  ///
-  ///   x === y      the path turns around y, and comes back to the edge x y
-  Found patch_of_pair(std::size_t t) const {
-    const auto ring = union_of<6>(path_, t);
-    for (std::size_t k = 0; k < 6; ++k) {
-      if (ring[k] != ring[(k + 2) % 6]) continue;
-      const std::array<VertexId, 4> quad = {ring[k], ring[(k + 3) % 6], ring[(k + 4) % 6],
-                                            ring[(k + 5) % 6]};
-      const VertexId inner = ring[(k + 1) % 6];
-      return {{quad[0], quad[1], quad[2], quad[3], inner},
-              patch_quad_with_point(places_of(quad), points_[inner])};
-    }
-    return {{ring.begin(), ring.end()}, patch_hexagon(places_of(ring))};
-  }
-
- private:
-  template <std::size_t N>
-  std::array<Point, N> places_of(const std::array<VertexId, N>& ring) const {
-    std::array<Point, N> out;
-    for (std::size_t i = 0; i < N; ++i) out[i] = points_[ring[i]];
-    return out;
-  }
-
-  const std::vector<Point>& points_;
-  const Serpentine& path_;
-};
-
-enum class Piece : std::uint8_t { kNone, kTriangle, kConvexQuad, kLoneQuad, kPair, kStay };
-
-std::size_t triangles_of(Piece piece) {
-  return piece == Piece::kTriangle ? 1 : piece == Piece::kPair ? 4 : 2;
-}
-
-/// The cheapest pieces of the path from triangle `first` on. After i triangles the number of single
-/// triangles so far is (i - first) mod 2, since there is at most one.
-class Plan {
- public:
-  Plan(const Pieces& pieces, std::size_t first, std::size_t size, const Progress& progress)
-      : pieces_(pieces),
-        first_(first),
-        size_(size),
-        cost_(size + 1, kUnreached),
-        last_(size + 1, Piece::kNone) {
-    cost_[first] = 0;
-    for (std::size_t i = first; i < size; ++i) {
-      if ((i - first) % 65536 == 0) {
-        report_progress(progress, "convex quads",
-                        static_cast<double>(i) / static_cast<double>(size));
-      }
-      if (cost_[i] != kUnreached) extend(i);
-    }
-  }
-
-  /// In the order of the path.
-  std::vector<Piece> pieces() const {
-    std::vector<Piece> out;
-    for (std::size_t i = size_; i > first_; i -= triangles_of(last_[i])) out.push_back(last_[i]);
-    std::reverse(out.begin(), out.end());
-    return out;
-  }
-
- private:
-  static constexpr std::uint64_t kUnreached = ~std::uint64_t{0};
-
-  void extend(std::size_t i) {
-    const bool triangle_left = (size_ - i) % 2 == 1;
-    if (triangle_left) offer(i, Piece::kTriangle, 0);
-    if (i + 2 > size_) return;
-    const bool convex = pieces_.quad_is_convex(i);
-    if (convex) offer(i, Piece::kConvexQuad, 0);
-    if (i + 4 <= size_ && !(convex && pieces_.quad_is_convex(i + 2))) {
-      const auto found = pieces_.patch_of_pair(i);
-      if (found.patch) offer(i, Piece::kPair, found.patch->steiner.size());
-    }
-    if (convex || cost_[i] + 4 >= cost_[i + 2]) return;
-    if (pieces_.patch_of_quad(i).patch) offer(i, Piece::kLoneQuad, 4);
-    if (cost_[i + 2] == kUnreached) offer(i, Piece::kStay, kPerStay);
-  }
-
-  void offer(std::size_t i, Piece piece, std::uint64_t points) {
-    const std::size_t end = i + triangles_of(piece);
-    if (cost_[i] + points >= cost_[end]) return;
-    cost_[end] = cost_[i] + points;
-    last_[end] = piece;
-  }
-
-  const Pieces& pieces_;
-  std::size_t first_;
-  std::size_t size_;
-  std::vector<std::uint64_t> cost_;
-  std::vector<Piece> last_;  // the piece that ends there
-};
-
-class Builder {
- public:
-  Builder(const Serpentine& path, const Pieces& pieces, ConvexResult& result)
-      : path_(path), pieces_(pieces), result_(result) {}
-
-  void build(std::size_t first, const std::vector<Piece>& plan) {
-    std::size_t t = first;
-    for (const Piece piece : plan) {
-      add(piece, t);
-      t += triangles_of(piece);
-    }
-  }
-
- private:
-  void add(Piece piece, std::size_t t) {
-    if (piece == Piece::kTriangle) {
-      result_.mesh.tri_vertex = {path_.outer(t), path_.inner(t), path_.apex(t)};
-    } else if (piece == Piece::kPair) {
-      add_patch(pieces_.patch_of_pair(t), t, 4);
-    } else if (piece == Piece::kLoneQuad) {
-      add_patch(pieces_.patch_of_quad(t), t, 2);
-    } else {
-      if (piece == Piece::kStay) {
-        result_.not_convex.push_back(static_cast<QuadId>(result_.mesh.quad_count()));
-      } else {
-        ++result_.statistics.kept;
-      }
-      for (const VertexId v : union_of<4>(path_, t)) result_.mesh.quad_vertex.push_back(v);
-    }
-  }
-
-  void add_patch(Pieces::Found found, std::size_t t, std::size_t triangles) {
-    for (const Point s : found.patch->steiner) {
-      const auto vertex = static_cast<VertexId>(result_.mesh.points.size());
-      found.vertices.push_back(vertex);
-      result_.mesh.points.push_back(s);
-      result_.steiner.push_back({vertex, SteinerKind::kInner, triangle_around(s, t, triangles)});
-    }
-    for (const LocalQuad& q : found.patch->quads) {
-      for (const std::uint32_t v : q) result_.mesh.quad_vertex.push_back(found.vertices[v]);
-    }
-    ++result_.statistics.patches;
-    ++result_.statistics.patches_by_points[found.patch->steiner.size()];
-  }
-
-  std::array<VertexId, 3> triangle_around(Point s, std::size_t t, std::size_t triangles) const {
-    std::array<VertexId, 3> corners{};
-    for (std::size_t i = t; i < t + triangles; ++i) {
-      corners = {path_.outer(i), path_.inner(i), path_.apex(i)};
-      const auto& p = result_.mesh.points;
-      bool inside = true;
-      for (std::size_t k = 0; k < 3; ++k) {
-        inside = inside && kernel::orient(p[corners[k]], p[corners[(k + 1) % 3]], s) >= 0;
-      }
-      if (inside) break;
-    }
-    return corners;
-  }
-
-  const Serpentine& path_;
-  const Pieces& pieces_;
-  ConvexResult& result_;
-};
-
-void add_outer_point(const Serpentine& path, Point place, ConvexResult& result) {
-  const auto s = static_cast<VertexId>(result.mesh.points.size());
-  result.mesh.points.push_back(place);
-  result.mesh.quad_vertex = {path.outer(0), s, path.inner(0), path.apex(0)};
-  result.steiner.push_back({s, SteinerKind::kOutside, {path.outer(0), path.inner(0), kNone}});
-}
-
-}  // namespace
-
 ConvexResult convex_spiral_quadrangulation(const std::vector<Point>& points,
                                            const ConvexOptions& options) {
-  report_progress(options.progress, "convex layers", 0);
-  const ConvexLayers layers = convex_layers(points);
-  const OuterPlace outer = choose_start(points, layers.layer(0), options.odd_boundary);
-  report_progress(options.progress, "spiral", 0);
-  const Serpentine path = quadrangulate::make_serpentine(points, layers, outer.start);
-
-  ConvexResult result;
-  result.input_vertices = points.size();
-  result.statistics.hull_points = layers.layer(0).size();
-  result.mesh.points = points;
-  if (outer.place) add_outer_point(path, *outer.place, result);
-  const std::size_t first = outer.place ? 1 : 0;
-  const Pieces pieces(points, path);
-  const Plan plan(pieces, first, path.size(), options.progress);
-  Builder(path, pieces, result).build(first, plan.pieces());
-  return result;
+  PathOfPoints given = path_of_points(points, options);
+  const Pieces pieces(points, given.path);
+  const auto plan = cheapest_pieces(pieces, given.first, given.path.size(), options.progress);
+  PathBuilder(given.path, pieces, given.result).build(given.first, plan);
+  return std::move(given.result);
 }
 
 }  // namespace quadloom::convex

@@ -66,12 +66,15 @@ class Points(Convex):
             points = {(rng.randrange(9), rng.randrange(9)) for _ in range(30)} | {(0, 0), (1, 0), (0, 1)}
             self.write("p.xyz", "".join(f"{x} {y}\n" for x, y in sorted(points)))
             hull = independent_check.hull_edges(range(len(points)), sorted(points))
-            for method in ["delaunay", "spiral"]:
+            for method in ["delaunay", "spiral", "pentagons"]:
                 for odd in ["outside", "triangle"]:
                     with self.subTest(seed=seed, method=method, odd=odd):
                         run = self.convert("p.xyz", "--method", method, "--odd-boundary", odd)
                         added = self.judge("p.xyz", triangles=len(hull) % 2)
-                        self.assertLessEqual(added, 3 * (len(points) // 2) + 1)
+                        bound = 3 * (len(points) // 2)
+                        if method == "pentagons":
+                            bound = 7 * ((2 * len(points) - 2 - len(hull) + 5) // 6)
+                        self.assertLessEqual(added, bound + 1)
                         self.assertIn("100% strictly convex", run.stdout)
                         if odd == "triangle":
                             self.assertIn("1 triangle," if len(hull) % 2 else "no triangle", run.stdout)
@@ -219,6 +222,7 @@ class Use(Convex):
         for source, fragments, options in [
                 ("p.xyz", ["--convex", "spiral"], ["--method", "insertion"]),
                 ("p.xyz", ["--convex", "4 corners"], ["--k", "6"]),
+                ("p.xyz", ["circles", "pentagons"], ["--method", "circles"]),
                 ("odd.xyz", ["flat corner"], ["--odd-boundary", "on-edge"]),
                 ("p.xyz", ["--leftover"], ["--leftover", "walk"]),
                 ("p.xyz", ["--method", "--exact"], ["--exact", "--method", "spiral"]),

@@ -59,6 +59,16 @@ TEST(ConvexPoints, AllSubsetsOfTheFourByFourGrid) {
   for (const std::size_t k : {0U, 1U, 2U, 3U, 4U}) EXPECT_GT(totals.by_points[k], 0U) << k;
 }
 
+TEST(ConvexPoints, AllSubsetsOfTheFourByFourGridByPentagons) {
+  Totals totals;
+  for (std::uint64_t mask = 0; mask < 1U << 16; ++mask) {
+    SCOPED_TRACE("subset " + std::to_string(mask));
+    check_both_odd_boundaries(testing::grid_subset(4, mask), ConvexMethod::kPentagons, totals);
+    if (HasFailure()) return;
+  }
+  print(totals);
+}
+
 TEST(ConvexPoints, AllSubsetsOfTheFourByFourGridByDelaunay) {
   Totals totals;
   for (std::uint64_t mask = 0; mask < 1U << 16; ++mask) {
@@ -84,7 +94,8 @@ void check_random_subsets(std::uint64_t columns, std::uint64_t rows, std::size_t
 }
 
 TEST(ConvexPoints, RandomSubsetsOfGrids) {
-  for (const ConvexMethod method : {ConvexMethod::kSpiral, ConvexMethod::kDelaunay}) {
+  for (const ConvexMethod method :
+       {ConvexMethod::kSpiral, ConvexMethod::kPentagons, ConvexMethod::kDelaunay}) {
     check_random_subsets(6, 6, 36, method);
     check_random_subsets(20, 3, 40, method);
     check_random_subsets(2, 30, 40, method);

@@ -43,7 +43,10 @@ inline void expect_convex_quads(const std::vector<Point>& input, const ConvexOpt
   CertifyOptions wanted;
   wanted.strictly_convex = room == Room::kEnough;
   wanted.steiner_inside = !outer;
-  wanted.steiner_at_most = 3 * (n / 2) + (outer ? 1 : 0);
+  const std::size_t triangles = 2 * n - 2 - result.statistics.hull_points;
+  wanted.steiner_at_most =
+      options.method == ConvexMethod::kPentagons ? 7 * ((triangles + 5) / 6) : 3 * (n / 2);
+  wanted.steiner_at_most += outer ? 1 : 0;
   wanted.triangles_allowed = odd && !outer ? 1 : 0;
   const Certificate certificate = certify_points(to_polygon_mesh(result.mesh), input, wanted);
   EXPECT_TRUE(certificate.ok()) << certificate.sentence;
