@@ -18,6 +18,29 @@ namespace quadloom {
 
 // ---- Polygons. ----
 
+/// The triangles of a polygon in an order. `input_to_vertex` has an entry a corner of the rings, ring by
+/// ring (as PlanarInput numbers them), repeated ones merged; added points follow the input's vertices.
+struct PolygonOrder {
+  Triangulation mesh;  ///< triangle i + 1 shares an edge with triangle i
+  OrderKind order = OrderKind::kPath;
+  std::vector<VertexId> input_to_vertex;
+  std::size_t input_vertices = 0;  ///< the others, to the end of mesh.points, are added points
+};
+
+/// A triangulation of a simple polygon, without added points, whose triangles are a path; none if there
+/// is no such triangulation (Arkin, Held, Mitchell and Skiena, theorem 2.1). Of a polygon no order of
+/// triangles is a cycle. Flat corners are welcome; a ring may touch itself as for constrained_delaunay as
+/// long as the inside is one piece without holes. Of several such triangulations one is taken that does
+/// not depend on anything but the input.
+///
+/// Throws Error kBadPolygon (holes: an NP-complete question, not answered here; an inside in parts), and
+/// as constrained_delaunay. O(E log n) and O(E) space, E the pairs of corners that see each other, after
+/// their visibility graph, which takes O(n^2) at worst and about O(E) as a rule.
+std::optional<PolygonOrder> hamiltonian_triangulation(const Polygon& polygon);
+
+/// The same for a sequential triangulation (theorem 4.4): left and right turns alternate. O(n) space.
+std::optional<PolygonOrder> sequential_triangulation(const Polygon& polygon);
+
 // ---- Triangulations. ----
 
 /// The same triangulation, its triangle order[i] now triangle i; the corners keep their turn. Throws
