@@ -1,0 +1,101 @@
+// A triangulation of a point set whose dual graph has a Hamiltonian cycle (Arkin, Held, Mitchell and
+// Skiena, theorem 3.1 and lemma 3.2).
+//
+//   1. split_off_hull   the h points on the hull, those inside its edges included, and the m others
+//   2. start_cycle      an inner point joined to all hull points makes a cycle of triangles; where
+//                       points are in the way, more than one (hamiltonian_start.hpp)
+//   3. split_wedges     the points in each triangle, one by one, by random or balanced splitters
+//                       (wedge_splitting.hpp)
+//   4. path_instead     no point inside, or no start found: the serpentine triangulation (Bose and
+//                       Toussaint), which is a path
+//
+// The paper takes points in general position. With three of them on a line a point can fall on an
+// edge. On one that the cycle does not cross it is inserted like any other: both triangles become two,
+// which the cycle visits one after the other. On one that it crosses this need not be so:
+//
+//           c             Let the cycle come over a c, cross a b and leave over b d. With p on a b there
+//         / | \.          are four triangles around p: acp, cbp, bdp, dap, each beside the next. The
+//       a - p - b         first and the third are those that the cycle must begin and end with, and no
+//         \ | /           path through a ring of four ends opposite its begin.
+//           d
+//
+// So we keep all edges that the cycle crosses free of points, from the start on. Then points are
+// inside triangles, or on edges that are not crossed. For a triangle there always is a splitter that
+// keeps it so: the point nearest to the base. Hence each start gives a cycle, and all that depends on
+// collinear points is whether there is a start. There is none in hull-only sets (the dual graph is a
+// tree) and in sets like the pinwheel of hamiltonian_start.cpp, which have no Hamiltonian cycle
+// triangulation at all. Where the search finds none although there is one, the result is a path, too.
+// For up to seven points of the 4 x 4 grid it finds one whenever there is one (tests/exhaustive).
+//
+// Cost: see the steps; O(n log n) expected, or in the worst case, for points in general position.
+#include <utility>
+
+#include "quadloom/quadrangulate.hpp"
+#include "quadloom/strips.hpp"
+#include "quadrangulate/point_input.hpp"
+#include "quadrangulate/serpentine.hpp"
+#include "strips/hamiltonian_start.hpp"
+#include "strips/match_twins.hpp"
+#include "strips/wedge_splitting.hpp"
+
+namespace quadloom {
+namespace {
+
+using strips::Place;
+
+struct Parts {
+  std::vector<Place> hull, inner;
+};
+
+Parts split_off_hull(std::span<const Point> points) {
+  Parts parts;
+  std::vector<char> on_hull(points.size(), 0);
+  for (const VertexId v : convex_hull(points)) {
+    on_hull[v] = 1;
+    parts.hull.push_back({points[v], v});
+  }
+  parts.inner.reserve(points.size() - parts.hull.size());
+  for (VertexId v = 0; v < points.size(); ++v) {
+    if (!on_hull[v]) parts.inner.push_back({points[v], v});
+  }
+  return parts;
+}
+
+Triangulation path_instead(std::span<const Point> points) {
+  const ConvexLayers layers = convex_layers(points);
+  return quadrangulate::to_triangulation(points, quadrangulate::make_serpentine(points, layers));
+}
+
+}  // namespace
+
+HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
+                                                  const HamiltonianOptions& options) {
+  DistinctPoints distinct = quadrangulate::points_of_the_plane(input);
+  HamiltonianResult result;
+  result.input_to_vertex = std::move(distinct.input_to_vertex);
+  report_progress(options.progress, "hull", 0);
+  Parts parts = split_off_hull(distinct.points);
+  result.statistics.hull_points = parts.hull.size();
+  Random random(options.seed);
+  std::optional<strips::CycleStart> start;
+  if (!parts.inner.empty()) start = strips::start_cycle(parts.hull, parts.inner, random);
+  if (!start) {
+    result.order = OrderKind::kPath;
+    result.mesh = path_instead(distinct.points);
+    return result;
+  }
+  const std::size_t count = 2 * distinct.points.size() - 2 - parts.hull.size();
+  strips::SplittingStatistics splitting;
+  result.mesh.tri_vertex =
+      strips::split_wedges(start->wedges, parts.inner, count, options, random, splitting);
+  result.mesh.points = std::move(distinct.points);
+  result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, result.mesh.points.size());
+  result.order = OrderKind::kCycle;
+  result.statistics.centres = start->centres;
+  result.statistics.levels = splitting.levels;
+  result.statistics.locations = splitting.locations;
+  result.statistics.chains = splitting.chains;
+  return result;
+}
+
+}  // namespace quadloom
