@@ -61,13 +61,6 @@ class Judge {
   /// What a vertex is; a used vertex is a Steiner point until an input point is found there.
   enum class Role : std::uint8_t { kUnused, kSteiner, kInput };
 
-  bool fault(Fault fault, std::string sentence, std::vector<std::size_t> culprits) {
-    out_.fault = fault;
-    out_.sentence = std::move(sentence);
-    out_.culprits = std::move(culprits);
-    return false;
-  }
-
   bool check_corners();
   bool check_finite();
   bool check_shapes();
@@ -109,7 +102,7 @@ bool Judge::check_finite() {
   for (std::size_t v = 0; v < role_.size(); ++v) {
     const Point p = mesh_.points[v];
     if (role_[v] != Role::kUnused && !(std::isfinite(p.x) && std::isfinite(p.y))) {
-      return fault(Fault::kNotFinite, vertex_text(mesh_, v) + " is not finite", {v});
+      return certify::fail(out_, Fault::kNotFinite, vertex_text(mesh_, v) + " is not finite", {v});
     }
   }
   return true;
@@ -134,19 +127,21 @@ bool Judge::check_shapes() {
         places += ' ';
         places += point_text(p);
       }
-      return fault(Fault::kNotSimple,
-                   face_text(mesh_, f) +
-                       " is not a simple counter-clockwise polygon of positive area:" + places,
-                   {f});
+      return certify::fail(
+          out_, Fault::kNotSimple,
+          face_text(mesh_, f) +
+              " is not a simple counter-clockwise polygon of positive area:" + places,
+          {f});
     }
     count_turns(corners.size(), verdict.smallest_turn);
     if (options_.strictly_convex && corners.size() == options_.corners &&
         verdict.smallest_turn <= 0) {
-      return fault(Fault::kNotStrictlyConvex,
-                   face_text(mesh_, f) + (verdict.smallest_turn == 0
-                                              ? " is not strictly convex, it has a flat corner"
-                                              : " is not convex"),
-                   {f});
+      return certify::fail(
+          out_, Fault::kNotStrictlyConvex,
+          face_text(mesh_, f) + (verdict.smallest_turn == 0
+                                     ? " is not strictly convex, it has a flat corner"
+                                     : " is not convex"),
+          {f});
     }
   }
   return true;
@@ -169,8 +164,8 @@ bool Judge::check_distinct() {
     if (role_[v] == Role::kUnused) continue;
     const VertexId first = places_.insert(v);
     if (first != v) {
-      return fault(
-          Fault::kRepeatedVertex,
+      return certify::fail(
+          out_, Fault::kRepeatedVertex,
           vertex_text(mesh_, first) + " and vertex " + std::to_string(v) + " are at the same place",
           {first, v});
     }
@@ -197,11 +192,12 @@ bool Judge::check_input() {
   }
   if (missing == 0) return true;
   const std::size_t first = culprits[0];
-  return fault(Fault::kMissingPoint,
-               "input point " + std::to_string(first) + " " + point_text(input_[first]) +
-                   " is no vertex of a face" +
-                   (missing > 1 ? ", nor are " + std::to_string(missing - 1) + " others" : ""),
-               std::move(culprits));
+  return certify::fail(
+      out_, Fault::kMissingPoint,
+      "input point " + std::to_string(first) + " " + point_text(input_[first]) +
+          " is no vertex of a face" +
+          (missing > 1 ? ", nor are " + std::to_string(missing - 1) + " others" : ""),
+      std::move(culprits));
 }
 
 bool Judge::check_outline() {
@@ -211,7 +207,8 @@ bool Judge::check_outline() {
                                        options_.outer_steiner);
   if (report.sentence.empty()) report = certify::judge_winding(mesh_, boundary_edges_);
   if (!report.sentence.empty()) {
-    return fault(Fault::kBoundary, std::move(report.sentence), std::move(report.culprits));
+    return certify::fail(out_, Fault::kBoundary, std::move(report.sentence),
+                         std::move(report.culprits));
   }
   for (const DirectedEdge& e : boundary_edges_) boundary_.push_back(e.from);
   out_.boundary = boundary_edges_.size();
@@ -222,7 +219,8 @@ bool Judge::check_boundary() {
   if (outline_ != nullptr) return check_outline();
   auto report = certify::judge_boundary(mesh_, boundary_edges_);
   if (!report.sentence.empty()) {
-    return fault(Fault::kBoundary, std::move(report.sentence), std::move(report.culprits));
+    return certify::fail(out_, Fault::kBoundary, std::move(report.sentence),
+                         std::move(report.culprits));
   }
   boundary_ = std::move(report.cycle);
   out_.boundary = boundary_.size();
@@ -232,17 +230,18 @@ bool Judge::check_boundary() {
 bool Judge::check_steiner() {
   out_.steiner = used_ - out_.points;
   if (out_.steiner > options_.steiner_at_most) {
-    return fault(Fault::kTooManySteiner,
-                 std::to_string(out_.steiner) + " vertices are no input points, " +
-                     std::to_string(options_.steiner_at_most) + " allowed",
-                 {});
+    return certify::fail(out_, Fault::kTooManySteiner,
+                         std::to_string(out_.steiner) + " vertices are no input points, " +
+                             std::to_string(options_.steiner_at_most) + " allowed",
+                         {});
   }
   if (!options_.steiner_inside) return true;
   const auto on_rim =
       std::ranges::find_if(boundary_, [&](VertexId v) { return role_[v] == Role::kSteiner; });
   if (on_rim == boundary_.end()) return true;
-  return fault(Fault::kSteinerOnBoundary,
-               vertex_text(mesh_, *on_rim) + " is on the boundary and no input point", {*on_rim});
+  return certify::fail(out_, Fault::kSteinerOnBoundary,
+                       vertex_text(mesh_, *on_rim) + " is on the boundary and no input point",
+                       {*on_rim});
 }
 
 }  // namespace

@@ -13,13 +13,6 @@ namespace {
 
 constexpr std::size_t kMostVertices = std::size_t{1} << 31;
 
-bool fail(Certificate& out, Fault fault, std::string sentence, std::vector<std::size_t> culprits) {
-  out.fault = fault;
-  out.sentence = std::move(sentence);
-  out.culprits = std::move(culprits);
-  return false;
-}
-
 bool judge_count(const PolygonMesh& mesh, std::size_t f, const CertifyOptions& options,
                  Certificate& out) {
   const std::size_t corners = mesh.face(f).size();

@@ -37,9 +37,9 @@ bool share_an_edge(Corners t, Corners u) {
 void check_neighbours(const PolygonMesh& mesh, OrderKind kind, Certificate& out) {
   const std::size_t count = mesh.face_count();
   const auto complain = [&](std::size_t f, std::size_t g, const std::string& words) {
-    out.fault = Fault::kOrder;
-    out.sentence = certify::face_text(mesh, f) + " and " + certify::face_text(mesh, g) + words;
-    out.culprits = {f, g};
+    certify::fail(out, Fault::kOrder,
+                  certify::face_text(mesh, f) + " and " + certify::face_text(mesh, g) + words,
+                  {f, g});
   };
   for (std::size_t f = 0; f + 1 < count; ++f) {
     if (!share_an_edge(mesh.face(f), mesh.face(f + 1))) {
@@ -76,9 +76,9 @@ void check_turns(const PolygonMesh& mesh, Certificate& out) {
     farthest = std::max(farthest, reach(mesh, first));
   } while (std::next_permutation(first.begin(), first.end()));
   if (farthest == mesh.face_count()) return;
-  out.fault = Fault::kTurns;
-  out.sentence = certify::face_text(mesh, farthest) + " turns the same way as the one before";
-  out.culprits = {farthest};
+  certify::fail(out, Fault::kTurns,
+                certify::face_text(mesh, farthest) + " turns the same way as the one before",
+                {farthest});
 }
 
 }  // namespace

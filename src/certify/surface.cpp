@@ -63,13 +63,6 @@ class SurfaceJudge {
   }
 
  private:
-  bool fault(Fault fault, std::string sentence, std::vector<std::size_t> culprits) {
-    out_.fault = fault;
-    out_.sentence = std::move(sentence);
-    out_.culprits = std::move(culprits);
-    return false;
-  }
-
   bool check_corners();
   bool check_places();
   bool check_shapes();
@@ -101,7 +94,7 @@ class SurfaceJudge {
 
 bool SurfaceJudge::check_corners() {
   if (z_.size() != mesh_.points.size()) {
-    return fault(Fault::kIndexOutOfRange, "the heights are not one a vertex", {});
+    return certify::fail(out_, Fault::kIndexOutOfRange, "the heights are not one a vertex", {});
   }
   return certify::judge_corners(mesh_, options_, out_, used_);
 }
@@ -111,19 +104,19 @@ bool SurfaceJudge::check_places() {
     const bool is_used = v < used_.size() && used_[v] != 0;
     if (is_used && !(std::isfinite(mesh_.points[v].x) && std::isfinite(mesh_.points[v].y) &&
                      std::isfinite(z_[v]))) {
-      return fault(Fault::kNotFinite, vertex_text(mesh_, v) + " is not finite", {v});
+      return certify::fail(out_, Fault::kNotFinite, vertex_text(mesh_, v) + " is not finite", {v});
     }
     if (in_source_[v] == 0) {
       out_.steiner += is_used ? 1 : 0;
       continue;
     }
     if (!is_used) {
-      return fault(Fault::kMissingPoint,
-                   "vertex " + std::to_string(v) + " of the source is in no face", {v});
+      return certify::fail(out_, Fault::kMissingPoint,
+                           "vertex " + std::to_string(v) + " of the source is in no face", {v});
     }
     if (mesh_.points[v] != source_.points[v] || z_[v] != source_z_[v]) {
-      return fault(Fault::kMissingPoint, vertex_text(mesh_, v) + " is not where the source has it",
-                   {v});
+      return certify::fail(out_, Fault::kMissingPoint,
+                           vertex_text(mesh_, v) + " is not where the source has it", {v});
     }
     ++out_.points;
   }
@@ -134,15 +127,16 @@ bool SurfaceJudge::check_shapes() {
   const Places places{mesh_.points, z_};
   for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
     if (certify::on_a_line(places, mesh_.face(f))) {
-      return fault(Fault::kNotSimple, face_text(mesh_, f) + " has all its corners on one line",
-                   {f});
+      return certify::fail(out_, Fault::kNotSimple,
+                           face_text(mesh_, f) + " has all its corners on one line", {f});
     }
     if (mesh_.face(f).size() != options_.corners) continue;
     const int turn = certify::smallest_turn_in_chart(places, mesh_.face(f));
     ++(turn > 0 ? out_.strictly_convex : turn == 0 ? out_.flat_cornered : out_.non_convex);
     if (options_.strictly_convex && turn <= 0) {
-      return fault(Fault::kNotStrictlyConvex,
-                   face_text(mesh_, f) + " is not strictly convex in its coordinate plane", {f});
+      return certify::fail(out_, Fault::kNotStrictlyConvex,
+                           face_text(mesh_, f) + " is not strictly convex in its coordinate plane",
+                           {f});
     }
   }
   return true;
@@ -164,10 +158,10 @@ bool SurfaceJudge::check_fans() {
     if (used_[v] == 0) continue;
     const std::uint32_t wanted = is_steiner(v) ? 1 : before_.fans[v];
     if (now_.fans[v] == wanted) continue;
-    return fault(Fault::kFans,
-                 "the faces at " + vertex_text(mesh_, v) + " make " + std::to_string(now_.fans[v]) +
-                     " fans, not " + std::to_string(wanted),
-                 {v});
+    return certify::fail(out_, Fault::kFans,
+                         "the faces at " + vertex_text(mesh_, v) + " make " +
+                             std::to_string(now_.fans[v]) + " fans, not " + std::to_string(wanted),
+                         {v});
   }
   return true;
 }
@@ -211,18 +205,19 @@ bool SurfaceJudge::check_boundary(std::span<const DirectedEdge> source_boundary)
   boundary_used_.assign(boundary_.size(), 0);
   for (const DirectedEdge edge : source_boundary) {
     if (follow(edge)) continue;
-    return fault(Fault::kBoundary,
-                 "the source's boundary edge from " + vertex_text(mesh_, edge.from) + " to " +
-                     vertex_text(mesh_, edge.to) + " is not on the mesh's boundary",
-                 {edge.from, edge.to});
+    return certify::fail(out_, Fault::kBoundary,
+                         "the source's boundary edge from " + vertex_text(mesh_, edge.from) +
+                             " to " + vertex_text(mesh_, edge.to) +
+                             " is not on the mesh's boundary",
+                         {edge.from, edge.to});
   }
   const auto rest = std::ranges::find(boundary_used_, 0) - boundary_used_.begin();
   if (static_cast<std::size_t>(rest) == boundary_.size()) return true;
   const auto [from, to] = boundary_[static_cast<std::size_t>(rest)];
-  return fault(Fault::kBoundary,
-               "the boundary edge from " + vertex_text(mesh_, from) + " to " +
-                   vertex_text(mesh_, to) + " is not on the source's boundary",
-               {from, to});
+  return certify::fail(out_, Fault::kBoundary,
+                       "the boundary edge from " + vertex_text(mesh_, from) + " to " +
+                           vertex_text(mesh_, to) + " is not on the source's boundary",
+                       {from, to});
 }
 
 /// Vertices of one fan say which component of the mesh is which of the source.
@@ -235,15 +230,16 @@ bool SurfaceJudge::check_same_components() {
       there[from] = to;
       back[to] = from;
     } else if (there[from] != to || back[to] != from) {
-      return fault(Fault::kTopology,
-                   vertex_text(mesh_, v) + " is in another component than in the source", {v});
+      return certify::fail(out_, Fault::kTopology,
+                           vertex_text(mesh_, v) + " is in another component than in the source",
+                           {v});
     }
     if (now_.euler[to] == before_.euler[from]) continue;
-    return fault(Fault::kTopology,
-                 "the component of " + vertex_text(mesh_, v) + " has the Euler characteristic " +
-                     std::to_string(now_.euler[to]) + ", not " +
-                     std::to_string(before_.euler[from]),
-                 {v});
+    return certify::fail(out_, Fault::kTopology,
+                         "the component of " + vertex_text(mesh_, v) +
+                             " has the Euler characteristic " + std::to_string(now_.euler[to]) +
+                             ", not " + std::to_string(before_.euler[from]),
+                         {v});
   }
   return true;
 }
@@ -254,25 +250,26 @@ bool SurfaceJudge::check_components() {
   std::ranges::sort(now);
   std::ranges::sort(before);
   if (now == before) return true;
-  return fault(Fault::kTopology,
-               std::to_string(now.size()) + " components, the source has " +
-                   std::to_string(before.size()) + ", or of other Euler characteristics",
-               {});
+  return certify::fail(out_, Fault::kTopology,
+                       std::to_string(now.size()) + " components, the source has " +
+                           std::to_string(before.size()) + ", or of other Euler characteristics",
+                       {});
 }
 
 bool SurfaceJudge::check_steiner() {
   if (out_.steiner > options_.steiner_at_most) {
-    return fault(Fault::kTooManySteiner,
-                 std::to_string(out_.steiner) + " vertices are no vertices of the source, " +
-                     std::to_string(options_.steiner_at_most) + " allowed",
-                 {});
+    return certify::fail(out_, Fault::kTooManySteiner,
+                         std::to_string(out_.steiner) +
+                             " vertices are no vertices of the source, " +
+                             std::to_string(options_.steiner_at_most) + " allowed",
+                         {});
   }
   if (!options_.steiner_inside) return true;
   for (const DirectedEdge& e : boundary_) {
     if (!is_steiner(e.from)) continue;
-    return fault(Fault::kSteinerOnBoundary,
-                 vertex_text(mesh_, e.from) + " is on the boundary and not of the source",
-                 {e.from});
+    return certify::fail(out_, Fault::kSteinerOnBoundary,
+                         vertex_text(mesh_, e.from) + " is on the boundary and not of the source",
+                         {e.from});
   }
   return true;
 }

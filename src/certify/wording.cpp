@@ -1,6 +1,7 @@
 #include "certify/wording.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace quadloom::certify {
 namespace {
@@ -8,6 +9,13 @@ namespace {
 constexpr std::size_t kMostNamed = 8;
 
 }  // namespace
+
+bool fail(Certificate& out, Fault fault, std::string sentence, std::vector<std::size_t> culprits) {
+  out.fault = fault;
+  out.sentence = std::move(sentence);
+  out.culprits = std::move(culprits);
+  return false;
+}
 
 std::string vertex_text(const PolygonMesh& mesh, std::size_t v) {
   std::string out = "vertex ";
