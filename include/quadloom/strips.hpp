@@ -104,6 +104,40 @@ struct SequentialOrder {
 /// twins that do not agree. O(n).
 std::optional<SequentialOrder> sequential_order(const Triangulation& mesh);
 
+struct OrderSearchOptions {
+  OrderKind kind = OrderKind::kPath;        // or kCycle
+  std::uint64_t work_at_most = 30'000'000;  // states of the search; about five seconds
+  Progress progress = {};
+};
+
+/// Why a mesh has no Hamiltonian order.
+enum class NoOrder {
+  kNoReason,    ///< it has one, or it is not known
+  kTooFew,      ///< a cycle takes three triangles
+  kComponents,  ///< it does not hang together over edges
+  kEars,        ///< triangles with one neighbour: more than two, or any where a cycle is asked for
+  kBridges,     ///< an edge to cross twice, or parts that three of such edges lead away from
+  kPairing,     ///< too many triangles are left over by any pairing of neighbours
+  kExhausted,   ///< the search went through all possibilities
+};
+
+struct HamiltonianOrder {
+  Answer answer = Answer::kUnknown;
+  std::vector<TriangleId> order;        ///< kYes: all triangles
+  NoOrder reason = NoOrder::kNoReason;  ///< kNo
+  std::vector<TriangleId> culprits;  ///< kEars: those; kComponents: one of each; kBridges: the two
+                                     ///< triangles at it, or those of the part
+  std::uint64_t work = 0;
+};
+
+/// Whether the triangles, as they are, can be put in an order such that each is beside the one before,
+/// and the first beside the last if OrderKind::kCycle is asked for: an NP-complete question (Arkin,
+/// Held, Mitchell and Skiena, section 5), so the answer is kUnknown when the work runs out. Only
+/// tri_vertex and twin are looked at. Throws Error kBadOption for OrderKind::kSequential (see
+/// sequential_order), kTooFewPoints (no triangles), kBadMesh for twins that do not agree, kCancelled.
+HamiltonianOrder hamiltonian_order(const Triangulation& mesh,
+                                   const OrderSearchOptions& options = {});
+
 struct RefinementOptions {
   Progress progress = {};
 };
