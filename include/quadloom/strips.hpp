@@ -9,6 +9,7 @@
 
 #include "quadloom/convex.hpp"
 #include "quadloom/core.hpp"
+#include "quadloom/dual.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadloom/quadrangulate.hpp"
 
@@ -177,5 +178,108 @@ HamiltonianRefinement hamiltonian_refinement(const TriangleMesh& input,
                                              const RefinementOptions& options = {});
 
 // ---- Strips and their encodings. ----
+
+/// Paths of triangles, each triangle in one: path p is leave[begin[p] .. begin[p + 1]), a halfedge of
+/// each of its triangles, the one by which the path leaves it for the next. The last triangle of a
+/// path has any of its halfedges but the one by which the path came in.
+struct PathPartition {
+  std::vector<HalfedgeId> leave;
+  std::vector<std::uint32_t> begin = {0};
+
+  std::size_t count() const { return begin.size() - 1; }
+  std::span<const HalfedgeId> path(std::size_t p) const {
+    return {leave.data() + begin[p], leave.data() + begin[p + 1]};
+  }
+};
+
+/// Whether each node of the graph is in one path, and paths follow its edges. O(n).
+bool is_path_partition(const DualGraph& graph, const PathPartition& partition);
+
+/// The fewest paths that part a forest, such as the dual graph of a triangulated simple polygon
+/// (Arkin, Held, Mitchell and Skiena, lemma 5.1). Throws Error kBadMesh if the graph has a cycle.
+/// O(n).
+PathPartition minimum_path_partition(const DualGraph& forest);
+
+enum class PathGoal {
+  kFewestPaths,   ///< for strips whose turns cost nothing
+  kFewestIndices  ///< three for each path but the first, one for two turns the same way in a row
+};
+
+/// How long to look for something better; figures: docs/algorithms/strips.md.
+enum class PathEffort {
+  kFast,      ///< strips that alternate, taken one after the other
+  kStandard,  ///< and two rounds of improvement: 0.5 microseconds a triangle
+  kThorough,  ///< sixteen rounds
+};
+
+struct PathOptions {
+  PathGoal goal = PathGoal::kFewestPaths;
+  PathEffort effort = PathEffort::kStandard;
+  std::uint64_t seed = 1;  // which of many equal choices; the same seed gives the same paths
+  Progress progress;
+};
+
+/// Few paths for any graph (fewest is NP-hard); for a forest and kFewestPaths the fewest. Throws
+/// Error kCancelled. O(n) for a given effort.
+PathPartition path_partition(const DualGraph& graph, const PathOptions& options = {});
+
+/// How triangles become a sequence of vertices. A vertex makes a triangle with the two before it; the
+/// first triangle of a strip turns as it is sent, every other one the other way around. A triangle
+/// that has a vertex twice is empty and is not drawn.
+enum class StripEncoding {
+  kSwap,     ///< a bit with each vertex: the two vertices before it change places (and the turn
+             ///< stays); kStripRestart begins a new strip
+  kRepeat,   ///< one strip; vertices sent again make empty triangles (GL_TRIANGLE_STRIP)
+  kRestart,  ///< the same, and kStripRestart begins a new strip (primitive restart)
+};
+
+inline constexpr VertexId kStripRestart = kNone;
+
+struct StripCode {
+  StripEncoding encoding = StripEncoding::kRestart;
+  std::vector<VertexId> index;
+  std::vector<std::uint8_t> swap;  ///< kSwap: per index, != 0 swaps; else empty
+};
+
+struct StripOptions {
+  StripEncoding encoding = StripEncoding::kRestart;
+  PathEffort effort = PathEffort::kStandard;
+  std::uint64_t seed = 1;
+  Progress progress;
+};
+
+/// A code, and how it was made.
+struct StripResult {
+  StripCode code;
+  std::size_t triangles = 0;
+  std::size_t strips = 0;    ///< paths of triangles that share edges
+  std::size_t swaps = 0;     ///< two turns the same way in a row: an index more (kSwap: a bit)
+  std::size_t joined = 0;    ///< strips that begin at a vertex where the strip before ended
+  std::size_t restarts = 0;  ///< kStripRestart in the code
+};
+
+/// The triangles as strips: decode_strips gives each of them once, the same way around. The paths are
+/// path_partition's: for kSwap the fewest, else those of the fewest indices. The mesh may be any that
+/// triangles_with_twins gives. Throws Error kBadMesh (twins that do not agree, a triangle with a
+/// corner twice), kCancelled. O(n log n) for a given effort, the logarithm for sorting ends of strips.
+StripResult encode_strips(const Triangulation& mesh, const StripOptions& options = {});
+
+/// The code of given paths. Throws Error kBadOption if they are not a partition of the mesh.
+StripResult encode_paths(const Triangulation& mesh, const PathPartition& paths,
+                         StripEncoding encoding);
+
+/// The triangles that a code draws, three vertices each, in its order. Any sequence is a code. Throws
+/// Error kBadOption if `swap` has not the size it should have. O(n).
+std::vector<VertexId> decode_strips(const StripCode& code);
+
+/// Whether two lists of triangles are the same but for their order and where each begins; each
+/// counts as often as it is there. O(n log n).
+bool same_triangles(std::span<const VertexId> a, std::span<const VertexId> b);
+
+/// Triangles as they are, of any kind (surfaces, clockwise ones, edges with many triangles): twins are
+/// two triangles that have an edge in opposite directions, if no third one has it in either. Throws
+/// Error kBadMesh (a triangle with a corner twice, or a number of corners that is not 3 t),
+/// kIndexOutOfRange (culprits: triangle, index), kTooManyPoints. O(n).
+Triangulation triangles_with_twins(std::vector<Point> points, std::vector<VertexId> tri_vertex);
 
 }  // namespace quadloom

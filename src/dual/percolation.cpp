@@ -11,65 +11,18 @@
 // What differs from the paper: the levels are one breadth-first order walked backwards; nothing is
 // pruned, a node is still there if it is unmatched; a node takes its first unmatched child, which is
 // the paper's cases 1 and 2, a second unmatched child is case 3. Cost: O(n), no recursion.
+#include "dual/rooted_forest.hpp"
 #include "quadloom/dual.hpp"
 
 namespace quadloom {
 namespace {
-
-struct RootedForest {
-  std::vector<TriangleId> order;   // parents before children
-  std::vector<HalfedgeId> upward;  // the node's edge to its parent, kNone for a root
-};
-
-int degree(const DualGraph& forest, TriangleId t) {
-  int edges = 0;
-  for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) edges += forest.twin[h] != kNone;
-  return edges;
-}
-
-/// Appends the tree of `root` to the order.
-void append_tree(const DualGraph& forest, TriangleId root, RootedForest& out,
-                 std::vector<std::uint8_t>& seen) {
-  std::size_t next = out.order.size();
-  seen[root] = 1;
-  for (out.order.push_back(root); next < out.order.size(); ++next) {
-    const TriangleId t = out.order[next];
-    for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
-      if (forest.twin[h] == kNone || h == out.upward[t]) continue;
-      const TriangleId child = forest.across(h);
-      if (seen[child] != 0) {
-        throw Error(ErrorCode::kBadMesh, "the graph is not a forest: a cycle ends here",
-                    {t, child});
-      }
-      seen[child] = 1;
-      out.upward[child] = forest.twin[h];
-      out.order.push_back(child);
-    }
-  }
-}
-
-RootedForest order_from_roots(const DualGraph& forest) {
-  RootedForest out;
-  out.order.reserve(forest.node_count());
-  out.upward.assign(forest.node_count(), kNone);
-  std::vector<std::uint8_t> seen(forest.node_count());
-  for (TriangleId t = 0; t < forest.node_count(); ++t) {
-    if (seen[t] == 0 && degree(forest, t) <= 1) append_tree(forest, t, out, seen);
-  }
-  for (TriangleId t = 0; t < forest.node_count(); ++t) {
-    if (seen[t] == 0) {
-      throw Error(ErrorCode::kBadMesh, "the graph is not a forest: a component has no leaf", {t});
-    }
-  }
-  return out;
-}
 
 void match(const DualGraph& forest, HalfedgeId h, DualMatching& matching) {
   matching.mate[triangle_of(h)] = h;
   matching.mate[forest.across(h)] = forest.twin[h];
 }
 
-DualMatching match_upwards(const DualGraph& forest, const RootedForest& rooted) {
+DualMatching match_upwards(const DualGraph& forest, const dual::RootedForest& rooted) {
   DualMatching matching{std::vector<HalfedgeId>(forest.node_count(), kNone), forest.node_count()};
   for (std::size_t i = rooted.order.size(); i-- > 0;) {
     const TriangleId t = rooted.order[i];
@@ -88,9 +41,9 @@ DualMatching match_upwards(const DualGraph& forest, const RootedForest& rooted) 
 //     c      becomes      c         downwards, since it was still unmatched when it was its turn, so
 //     #                   |         this goes on until a leaf; no two such ways meet.
 //     d                   o d
-void push_down(const DualGraph& forest, const RootedForest& rooted, TriangleId t,
+void push_down(const DualGraph& forest, const dual::RootedForest& rooted, TriangleId t,
                DualMatching& matching) {
-  while (degree(forest, t) > 1) {
+  while (dual::degree(forest, t) > 1) {
     HalfedgeId h = 3 * t;
     while (forest.twin[h] == kNone || h == rooted.upward[t]) ++h;
     const TriangleId below = forest.across(matching.mate[forest.across(h)]);
@@ -103,11 +56,11 @@ void push_down(const DualGraph& forest, const RootedForest& rooted, TriangleId t
 }  // namespace
 
 DualMatching percolate_up(const DualGraph& forest) {
-  return match_upwards(forest, order_from_roots(forest));
+  return match_upwards(forest, dual::order_from_roots(forest));
 }
 
 DualMatching percolate_up_and_down(const DualGraph& forest) {
-  const RootedForest rooted = order_from_roots(forest);
+  const dual::RootedForest rooted = dual::order_from_roots(forest);
   DualMatching matching = match_upwards(forest, rooted);
   for (const TriangleId t : rooted.order) {
     if (matching.mate[t] == kNone) push_down(forest, rooted, t, matching);
