@@ -61,7 +61,10 @@ struct PolygonOrder {
   Triangulation mesh;  ///< triangle i + 1 shares an edge with triangle i
   OrderKind order = OrderKind::kPath;
   std::vector<VertexId> input_to_vertex;
-  std::size_t input_vertices = 0;  ///< the others, to the end of mesh.points, are added points
+  std::size_t input_vertices = 0;     ///< the others are added points
+  std::vector<SteinerPoint> steiner;  ///< all inside
+  std::size_t parts = 0;           ///< with added points: convex parts that it was made from, see
+  std::size_t parts_at_least = 0;  ///< ConvexDecomposition
 };
 
 /// A triangulation of a simple polygon, without added points, whose triangles are a path; none if there
@@ -77,6 +80,43 @@ std::optional<PolygonOrder> hamiltonian_triangulation(const Polygon& polygon);
 
 /// The same for a sequential triangulation (theorem 4.4): left and right turns alternate. O(n) space.
 std::optional<PolygonOrder> sequential_triangulation(const Polygon& polygon);
+
+struct DecompositionOptions {
+  std::size_t exact_steps =
+      20'000'000;  // how much the search for the fewest may look at: some seconds;
+                   // 0: none
+};
+
+/// A polygon cut along chords into convex parts, flat corners allowed.
+struct ConvexDecomposition {
+  PolygonMesh parts;  ///< over the polygon's vertices
+  std::vector<VertexId> input_to_vertex;
+  std::size_t at_least = 1;  ///< proven: no cut along chords has fewer parts
+
+  /// Whether no cut along chords has fewer parts.
+  bool is_fewest() const { return parts.face_count() == at_least; }
+};
+
+/// Cuts a polygon into convex parts without added points. Hertel and Mehlhorn's merging of triangles gives
+/// at most four times as many as there must be; with holes no such bound is known, and at_least says
+/// what is. If these may not be the fewest, there are no holes and the search is within
+/// DecompositionOptions::exact_steps: the fewest (Keil's dynamic programme). Cost: merging O(n log n); the search O(r n^2 log n) at worst for r reflex
+/// corners, near O(n log n) where corners see few others. Throws as constrained_delaunay.
+ConvexDecomposition convex_decomposition(const Polygon& polygon,
+                                         const DecompositionOptions& options = {});
+
+/// A triangulation of a polygon, holes allowed, whose triangles are a path or a cycle, with added points
+/// inside (Arkin, Held, Mitchell and Skiena, theorem 2.3). From a decomposition into k > 1 convex parts:
+/// k - 1 points for a cycle, k - 2 for a path; of some polygons any such triangulation needs as many, most
+/// have one with fewer. A convex polygon has a path without points and a cycle with one.
+///
+/// Flat corners may cost one point more, as they must: a cycle has k points if at each common side of two
+/// parts one of them goes straight on at one end and the other at the other end, a path has k - 1 if at
+/// each common side one of the two goes straight on at both ends. Throws Error kGuarantee if a point has no
+/// place among the doubles, kBadPolygon for an inside in parts, kBadOption for kSequential, and as
+/// constrained_delaunay. O(n log n) after convex_decomposition.
+PolygonOrder hamiltonian_triangulation_with_points(const Polygon& polygon, OrderKind order,
+                                                   const DecompositionOptions& options = {});
 
 // ---- Triangulations. ----
 

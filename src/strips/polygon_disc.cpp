@@ -24,14 +24,17 @@ HalfedgeId first_side(const Triangulation& mesh) {
   return first;
 }
 
-void walk_around(PolygonDisc& disc) {
-  const HalfedgeId first = first_side(disc.mesh);
+/// The sides of one circle of corners, counter-clockwise.
+std::vector<HalfedgeId> walk_around(const Triangulation& mesh) {
+  const HalfedgeId first = first_side(mesh);
+  std::vector<HalfedgeId> sides;
   HalfedgeId side = first;
   do {
-    disc.side.push_back(side);
-    side = side_before(disc.mesh, side);
+    sides.push_back(side);
+    side = side_before(mesh, side);
   } while (side != first);
-  std::reverse(disc.side.begin() + 1, disc.side.end());
+  std::reverse(sides.begin() + 1, sides.end());
+  return sides;
 }
 
 void name_corners(PolygonDisc& disc) {
@@ -46,13 +49,24 @@ void name_corners(PolygonDisc& disc) {
 
 }  // namespace
 
-PolygonDisc polygon_disc(const Polygon& polygon) {
-  ConstrainedResult triangulation = constrained_delaunay(polygon);
+/// All sides are in one circle, so that there is one piece, without holes.
+bool is_disc(const Triangulation& mesh) {
+  const auto sides = std::count(mesh.twin.begin(), mesh.twin.end(), kNone);
+  return walk_around(mesh).size() == static_cast<std::size_t>(sides);
+}
+
+PolygonDisc disc_of(ConstrainedResult triangulation) {
   PolygonDisc disc;
   disc.mesh = std::move(triangulation.mesh);
   disc.input_to_vertex = std::move(triangulation.input_to_vertex);
-  walk_around(disc);
-  if (disc.mesh.triangle_count() + 2 != disc.side.size()) {
+  disc.side = walk_around(disc.mesh);
+  name_corners(disc);
+  return disc;
+}
+
+PolygonDisc polygon_disc(const Polygon& polygon) {
+  ConstrainedResult triangulation = constrained_delaunay(polygon);
+  if (!is_disc(triangulation.mesh)) {
     throw Error(
         ErrorCode::kBadPolygon,
         polygon.rings.size() > 1
@@ -61,8 +75,7 @@ PolygonDisc polygon_disc(const Polygon& polygon) {
             : "the inside of the polygon is in parts, or goes around a place where the ring "
               "touches itself; only polygons in one piece without holes are looked at");
   }
-  name_corners(disc);
-  return disc;
+  return disc_of(std::move(triangulation));
 }
 
 }  // namespace quadloom::strips

@@ -31,6 +31,12 @@ struct PolygonDisc {
   bool reflex(Position i) const { return orient2d(at(previous(i)), at(i), at(next(i))) < 0; }
 };
 
+/// Whether the triangles are one piece without holes. Linear.
+bool is_disc(const Triangulation& mesh);
+
+/// Those of a polygon of which is_disc is true. Linear.
+PolygonDisc disc_of(ConstrainedResult triangulation);
+
 /// The constrained Delaunay triangulation of the polygon as a disc. Throws Error kBadPolygon if the
 /// inside is none (holes, or parts that touch only at corners), and as constrained_delaunay. As that, and
 /// linear.

@@ -37,6 +37,7 @@ const std::vector<Seen>& Visibility::look_from(Position from) {
       if (window.halfedge == kNone) {
         seen_.push_back(window.seen);
       } else if (mesh.twin[window.halfedge] != kNone) {
+        ++work_;
         look_through(eye, window);
       }
     }

@@ -29,6 +29,9 @@ class Visibility {
   /// call. Linear in the triangles that it sees any part of.
   const std::vector<Seen>& look_from(Position from);
 
+  /// Triangles looked into so far, a measure of the work done.
+  std::size_t work() const { return work_; }
+
  private:
   /// A halfedge that is looked through, between the directions to two points on its two ends' sides;
   /// or, with halfedge = kNone, something that has been seen and is to be told.
@@ -44,6 +47,7 @@ class Visibility {
   const PolygonDisc& disc_;
   std::vector<Seen> seen_;
   std::vector<Window> open_;
+  std::size_t work_ = 0;
 };
 
 /// All chords, from either end: those of corner i are other[begin[i] .. begin[i + 1]),
