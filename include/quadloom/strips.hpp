@@ -53,6 +53,29 @@ struct HamiltonianResult {
 HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
                                                   const HamiltonianOptions& options = {});
 
+struct SequentialOptions {
+  std::uint64_t work_at_most = 100'000'000;  // triangles tried; some ten seconds
+  Progress progress = {};
+};
+
+struct SequentialResult {
+  Answer answer = Answer::kUnknown;       ///< is there a sequential triangulation?
+  Triangulation mesh;                     ///< kYes: one, triangles in order
+  std::vector<VertexId> sequence;         ///< kYes: triangle i has its vertices i, i + 1, i + 2
+  std::vector<VertexId> input_to_vertex;  ///< duplicates merged
+  std::size_t inner_points = 0;           ///< strictly inside the hull
+  std::uint64_t work = 0;
+};
+
+/// A triangulation of the points whose triangles are in an order with alternating left and right turns
+/// (Arkin, Held, Mitchell and Skiena, section 4). With at most two points inside the hull the answer is
+/// exact, in O(n log n), and yes in general position (lemma 4.2). With more, up to 32 points, it is
+/// searched for: kNo is proved by exhaustion (practical for about 12 points), kUnknown if the work runs
+/// out. More points: kUnknown. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints,
+/// kCancelled.
+SequentialResult sequential_triangulation(std::span<const Point> input,
+                                          const SequentialOptions& options = {});
+
 // ---- Polygons. ----
 
 /// The triangles of a polygon in an order. `input_to_vertex` has an entry a corner of the rings, ring by

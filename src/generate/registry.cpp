@@ -10,7 +10,7 @@ namespace {
 
 using namespace generate;
 
-constexpr std::array<Generator, 24> kGenerators = {{
+constexpr std::array<Generator, 25> kGenerators = {{
     {"uniform", "evenly random in the unit square", 3, make_uniform},
     {"gaussian", "normally distributed around the origin", 3, make_gaussian},
     {"clusters", "twelve normal clusters of different widths", 3, make_clusters},
@@ -38,6 +38,7 @@ constexpr std::array<Generator, 24> kGenerators = {{
      make_bhrs_line},
     {"bhrs-ring", "a convex ring and a point inside each edge (Bremner et al., theorem 2.3)", 6,
      make_bhrs_ring},
+    {"ahms-nine", "has no sequential triangulation (Arkin et al., theorem 4.1)", 9, make_ahms_nine},
 }};
 
 const Generator& find_generator(std::string_view kind) {

@@ -44,6 +44,9 @@ Points make_decades(std::size_t n, std::uint64_t seed);
 Points make_two_clusters(std::size_t n, std::uint64_t seed);
 Points make_offset(std::size_t n, std::uint64_t seed);
 
+// ahms_set.cpp
+Points make_ahms_nine(std::size_t n, std::uint64_t seed);
+
 // lower_bound_sets.cpp
 Points make_bhrs_line(std::size_t n, std::uint64_t seed);
 Points make_bhrs_ring(std::size_t n, std::uint64_t seed);

@@ -38,7 +38,8 @@ bool all_collinear(const std::vector<Point>& points) {
 
 TEST(Generate, EveryKindGivesAboutNFinitePointsNotAllOnALine) {
   for (const Generator& g : generators()) {
-    for (const std::size_t n : {g.min_points, std::size_t{7}, std::size_t{50}, std::size_t{1000}}) {
+    for (const std::size_t n :
+         {g.min_points, g.min_points + 4, std::size_t{50}, std::size_t{1000}}) {
       for (const std::uint64_t seed : {1U, 2U, 3U}) {
         SCOPED_TRACE(std::string(g.name) + " n=" + std::to_string(n) +
                      " seed=" + std::to_string(seed));
@@ -72,7 +73,8 @@ TEST(Generate, BitsAreTheSameOnEveryPlatform) {
       {"gaussian", 226140302874165858U},      {"towns-like", 14989827960725250026U},
       {"rotated-grid", 2217663215442720208U}, {"hex-grid", 10513079416008960187U},
       {"circle", 4683287888933853074U},       {"spiral", 11534805168987898339U},
-      {"decades", 8327736933759463760U},      {"bhrs-ring", 4449207414986010052U}};
+      {"decades", 8327736933759463760U},      {"bhrs-ring", 4449207414986010052U},
+      {"ahms-nine", 2160158114291154572U}};
   for (const auto& [kind, hash] : known) {
     EXPECT_EQ(bits_hash(generate_points(kind, 500, 1)), hash) << kind;
   }
@@ -119,6 +121,41 @@ TEST(Generate, LinesAreExactlyStraight) {
   const auto points = generate_points("lines", 1000, 3);
   for (std::size_t i = 10; i < points.size(); ++i) {
     ASSERT_EQ(orient2d(points[i % 5], points[i % 5 + 5], points[i]), 0) << i;
+  }
+}
+
+// The defining property of theorem 4.1: A, B, C turn left, and every other point is right of exactly two
+// of their lines, D, E, F, G, H, I of those that the theorem says; the others are on the hull.
+TEST(Generate, AhmsNineHasItsDefiningProperty) {
+  for (const std::size_t n : {9U, 10U, 11U, 12U, 31U, 1000U}) {
+    const auto p = generate_points("ahms-nine", n);
+    ASSERT_EQ(p.size(), n);
+    EXPECT_EQ(orient2d(p[0], p[1], p[2]), 1);
+    const auto right_of = [&](std::size_t i) {
+      std::string lines;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (orient2d(p[k], p[(k + 1) % 3], p[i]) < 0) lines += "ABC"[k];
+      }
+      return lines;
+    };
+    const std::string wanted[] = {"AC", "AB", "AB", "BC", "BC", "AC"};  // D, E, F, G, H, I
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(right_of(3 + i), wanted[i]) << i;
+    for (std::size_t i = 3; i < n; ++i) EXPECT_EQ(right_of(i).size(), 2U) << i;
+    const auto hull = convex_hull(p);
+    EXPECT_EQ(hull.size(), n - 3);
+    // No other point on the arcs E-F, G-H, I-D.
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const VertexId next = hull[(i + 1) % hull.size()];
+      if (hull[i] == 4) {
+        EXPECT_EQ(next, 5U);
+      }
+      if (hull[i] == 6) {
+        EXPECT_EQ(next, 7U);
+      }
+      if (hull[i] == 8) {
+        EXPECT_EQ(next, 3U);
+      }
+    }
   }
 }
 
