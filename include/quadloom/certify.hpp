@@ -44,6 +44,7 @@ enum class Fault {
   kTopology,  ///< surfaces: other components, or one of another Euler characteristic
   kOrder,  ///< neighbours in an order of triangles that share no edge; a cycle that is not closed
   kTurns,  ///< an order of triangles that is not sequential
+  kReflexChains,  ///< a ring whose reflex corners are more than one chain
 };
 
 /// The verdict with its figures (counted up to the fault) and, for a fault, a sentence and the
@@ -108,6 +109,15 @@ Certificate certify_surface(const PolygonMesh& mesh, std::span<const double> z,
 /// face that no sequence of vertices reaches. Also kNoFaces, kCornerCount, kIndexOutOfRange,
 /// kRepeatedCorner. Linear.
 Certificate certify_order(const PolygonMesh& mesh, OrderKind kind);
+
+/// Proves that a ring of corners (the first not again at the end) is a spiral polygon through the
+/// points: simple, without touching itself; counter-clockwise; its corners are the points, each distinct
+/// one once; and of its reflex corners no two have convex ones between them on both sides. Flat corners,
+/// where the ring goes straight on, are neither reflex nor convex and may be anywhere. Culprits: corners,
+/// the first of each reflex chain; for kMissingPoint the point. The certificate counts the corners: in
+/// all (boundary), convex (strictly_convex), flat (flat_cornered), reflex (non_convex). Also kCornerCount,
+/// kNotFinite, kNotSimple, kTooManySteiner (a corner that is no point). O(n log n).
+Certificate certify_spiral_polygon(std::span<const Point> ring, std::span<const Point> points);
 
 /// Shape figures of a mesh. Angles in degrees; an edge between two faces counts once.
 struct Quality {

@@ -76,6 +76,25 @@ struct SequentialResult {
 SequentialResult sequential_triangulation(std::span<const Point> input,
                                           const SequentialOptions& options = {});
 
+struct SpiralPolygonStatistics {
+  std::size_t iterations = 0;  ///< turns of the algorithm's loop, at most 2 n
+};
+
+struct SpiralPolygon {
+  /// Every vertex once, counter-clockwise from the lowest point (of those the one farthest right).
+  std::vector<VertexId> ring;
+  /// Of the polygon: n - 2 triangles in the order of a path, each beside the one before.
+  Triangulation mesh;
+  std::vector<VertexId> input_to_vertex;  ///< duplicates merged
+  SpiralPolygonStatistics statistics;
+};
+
+/// A simple polygon with all the points as corners whose reflex corners are one chain at most, with a
+/// serpentine triangulation (Iwerks and Mitchell, theorem 2.5). Of points that the turning ray meets at
+/// once the nearest is taken; collinear ones become flat corners. Throws Error kNotFinite,
+/// kTooFewPoints, kAllCollinear, kTooManyPoints. O(n log n).
+SpiralPolygon spiral_polygon(std::span<const Point> input);
+
 // ---- Polygons. ----
 
 /// The triangles of a polygon in an order. `input_to_vertex` has an entry a corner of the rings, ring by

@@ -22,6 +22,8 @@ class HullTree {
   VertexId first() const { return first_; }
   /// The next point of the chain, to the right; kNone at its end.
   VertexId next(VertexId p) const { return next_[p]; }
+  /// The one before it, to the left; kNone at the beginning.
+  VertexId previous(VertexId p) const { return previous_[p]; }
 
   /// Deletes a point of the chain. Returns the chain's next point right of where it was (the first
   /// of those that come to light, if any); kNone at the end.
