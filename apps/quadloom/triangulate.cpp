@@ -24,6 +24,8 @@ const std::map<std::string, TriangulationKind> kKinds = {
     {"sequential", TriangulationKind::kSequential},
 };
 
+const std::map<std::string, Added> kAdded = {{"none", Added::kNone}, {"allow", Added::kAllowed}};
+
 io::PointTable take_points(io::PlanarFile file) {
   return {std::move(file.input.points), std::move(file.z), {}};
 }
@@ -144,22 +146,28 @@ void add_triangulate(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand(
       "triangulate", "Points or polygons to triangles, Delaunay ones or one beside the other");
   verb->footer(
-      "\nNo point is added. Triangles of polygons carry the number of their polygon (part) and "
-      "its\n"
-      "numbers; segments are written as lines. In the other kinds than delaunay the order of the\n"
-      "triangles is the result: the order of the faces, the face data \"order\" of .vtu and .ply, "
-      "a\n"
-      "line in the picture.\n"
+      "\nNo point is added but by --steiner allow. Triangles of polygons carry the number of "
+      "their\n"
+      "polygon (part) and its numbers; segments are written as lines. In the other kinds than\n"
+      "delaunay the order of the triangles is the result: the order of the faces, the face data\n"
+      "\"order\" of .vtu and .ply, a line in the picture. They take one polygon; exit status 4 "
+      "and\n"
+      "\"none\" say that it has no such triangulation.\n"
       "\n"
       "  quadloom triangulate towns.csv -o towns.off\n"
       "  quadloom triangulate towns.csv --kind hamiltonian-path -o path.vtu --picture path.svg\n"
-      "  quadloom triangulate lake.geojson -o lake.vtu --picture lake.svg");
+      "  quadloom triangulate lake.geojson -o lake.vtu --picture lake.svg\n"
+      "  quadloom triangulate lake.geojson --kind hamiltonian-cycle --steiner allow -o tour.vtu");
   const auto o = std::make_shared<TriangulateOptions>();
   add_any_input(*verb, o->input);
   add_kind(*verb, o->input_kind);
   add_choice(*verb, "--kind", o->kind, kKinds,
              "Points: delaunay, hamiltonian-path or serpentine, both of which put each triangle "
-             "beside the one before; polygons: delaunay");
+             "beside the one before; polygons: delaunay, hamiltonian-path, hamiltonian-cycle, "
+             "sequential");
+  add_choice(*verb, "--steiner", o->added, kAdded,
+             "Polygons, hamiltonian-path and -cycle: allow points to be added inside where there "
+             "is no such triangulation without");
   verb->add_option("-o,--output", o->output,
                    "Mesh: .obj, .off, .ply, .vtu, .msh, .geojson, or - for standard output")
       ->required();

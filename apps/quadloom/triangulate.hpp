@@ -22,10 +22,14 @@ enum class TriangulationKind {
 };
 std::string name_of(TriangulationKind kind);
 
+/// Whether an order of triangles may need points that are not the input's.
+enum class Added { kNone, kAllowed };
+
 struct TriangulateOptions {
   InputOptions input;
   InputKind input_kind = InputKind::kAuto;
   TriangulationKind kind = TriangulationKind::kDelaunay;
+  Added added = Added::kNone;
   std::string output, output_format, picture;
 };
 

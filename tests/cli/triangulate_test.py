@@ -48,5 +48,72 @@ class Order(CommandLine):
                      "triangulate", "p.geojson", "--kind", "serpentine", "-o", "t.obj")
 
 
+class Polygons(CommandLine):
+    TEE = ('{"type": "Polygon", "coordinates": [[[0, 0, 9], [3, 0, 9], [3, 1, 9], [2, 1, 9], [2, 5, 9], '
+           '[1, 5, 9], [1, 1, 9], [0, 1, 9], [0, 0, 9]]]}')
+    FRAME = ('{"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]], '
+             '[[3, 3], [6, 3], [6, 6], [3, 6], [3, 3]]]}')
+
+    def check_order(self, path, cycle=False):
+        faces = faces_of(self.folder / path)
+        self.assertTrue(all(map(share_an_edge, faces, faces[1:])))
+        if cycle:
+            self.assertTrue(share_an_edge(faces[-1], faces[0]))
+        return faces
+
+    def test_paths_and_sequences_without_added_points(self):
+        self.write("p.geojson", BAY)
+        for kind, words in [("hamiltonian-path", "beside the one before"), ("sequential", "by turns")]:
+            with self.subTest(kind):
+                run = self.succeeds("triangulate", "p.geojson", "--kind", kind, "-o", "t.obj")
+                self.assertIn(words, run.stdout)
+                self.assertNotIn("added", run.stdout)
+                self.assertEqual(len(self.check_order("t.obj")), 3)
+
+    def test_none_is_an_answer(self):
+        self.write("p.geojson", self.TEE)
+        for kind in ["hamiltonian-path", "hamiltonian-cycle", "sequential"]:
+            with self.subTest(kind):
+                self.refuses(4, ["none"], "triangulate", "p.geojson", "--kind", kind, "-o", "t.obj")
+                self.assertFalse((self.folder / "t.obj").exists())
+
+    def test_points_are_added_if_allowed(self):
+        self.write("p.geojson", self.TEE)
+        for kind in ["hamiltonian-path", "hamiltonian-cycle"]:
+            with self.subTest(kind):
+                run = self.succeeds("triangulate", "p.geojson", "--kind", kind, "--steiner", "allow",
+                                    "-o", "t.obj", "--picture", "t.svg")
+                self.assertIn("1 point added for 2 convex parts, the fewest", run.stdout)
+                self.assertIn("certified", run.stdout)
+                self.assertEqual(len(self.check_order("t.obj", kind == "hamiltonian-cycle")), 8)
+                heights = re.findall(r"^v \S+ \S+ (\S+)$", (self.folder / "t.obj").read_text(), re.M)
+                self.assertEqual(heights, ["9"] * 9)
+
+    def test_no_points_are_added_where_none_are_needed(self):
+        self.write("p.geojson", BAY)
+        run = self.succeeds("triangulate", "p.geojson", "--kind", "hamiltonian-path", "--steiner",
+                            "allow", "-o", "t.obj")
+        self.assertNotIn("added", run.stdout)
+
+    def test_holes(self):
+        self.write("p.geojson", self.FRAME)
+        for kind in ["hamiltonian-path", "hamiltonian-cycle", "sequential"]:
+            self.refuses(3, ["holes"], "triangulate", "p.geojson", "--kind", kind, "-o", "t.obj")
+        run = self.succeeds("triangulate", "p.geojson", "--kind", "hamiltonian-cycle", "--steiner",
+                            "allow", "-o", "t.obj")
+        self.assertIn("convex parts", run.stdout)
+        self.check_order("t.obj", cycle=True)
+
+    def test_one_polygon_alone(self):
+        two = ('{"type": "MultiPolygon", "coordinates": [[[[0, 0], [1, 0], [0, 1], [0, 0]]], '
+               '[[[5, 5], [6, 5], [5, 6], [5, 5]]]]}')
+        self.write("p.geojson", two)
+        self.refuses(2, ["one polygon", "2 polygons"],
+                     "triangulate", "p.geojson", "--kind", "hamiltonian-path", "-o", "t.obj")
+        self.write("q.geojson", BAY)
+        self.refuses(2, ["--steiner"], "triangulate", "q.geojson", "--kind", "sequential",
+                     "--steiner", "allow", "-o", "t.obj")
+
+
 if __name__ == "__main__":
     main()
