@@ -25,6 +25,8 @@ const std::map<std::string, TriangulationKind> kKinds = {
 };
 
 const std::map<std::string, Added> kAdded = {{"none", Added::kNone}, {"allow", Added::kAllowed}};
+const std::map<std::string, Splitter> kSplitters = {{"random", Splitter::kRandom},
+                                                    {"balanced", Splitter::kBalanced}};
 
 io::PointTable take_points(io::PlanarFile file) {
   return {std::move(file.input.points), std::move(file.z), {}};
@@ -113,7 +115,12 @@ void draw(const TriangulateOptions& o, const MadeTriangles& made) {
 int triangulate(const TriangulateOptions& o) {
   require_mesh(o.output, o.output_format);
   require_picture(o.picture);
-  MadeTriangles made = make(o, find_input(o.input.path, o.input.reading.format, o.input_kind));
+  FoundInput found = find_input(o.input.path, o.input.reading.format, o.input_kind);
+  const bool of_points = found.kind != InputKind::kMesh && found.kind != InputKind::kPolygons;
+  if (o.splitter && !(of_points && o.kind == TriangulationKind::kHamiltonianCycle)) {
+    throw Error(ErrorCode::kBadOption, "--splitter is for --kind hamiltonian-cycle of points");
+  }
+  MadeTriangles made = make(o, std::move(found));
   tell_order(made);
   std::FILE* const to = o.output == "-" || !made.certificate.ok() ? stderr : stdout;
   if (made.certificate.ok()) {
@@ -156,15 +163,23 @@ void add_triangulate(CLI::App& app, Run& run) {
       "\n"
       "  quadloom triangulate towns.csv -o towns.off\n"
       "  quadloom triangulate towns.csv --kind hamiltonian-path -o path.vtu --picture path.svg\n"
+      "  quadloom triangulate towns.csv --kind hamiltonian-cycle -o tour.obj --splitter balanced\n"
       "  quadloom triangulate lake.geojson -o lake.vtu --picture lake.svg\n"
       "  quadloom triangulate lake.geojson --kind hamiltonian-cycle --steiner allow -o tour.vtu");
   const auto o = std::make_shared<TriangulateOptions>();
+  const auto splitter = std::make_shared<Splitter>(Splitter::kRandom);
   add_any_input(*verb, o->input);
   add_kind(*verb, o->input_kind);
   add_choice(*verb, "--kind", o->kind, kKinds,
-             "Points: delaunay, hamiltonian-path or serpentine, both of which put each triangle "
-             "beside the one before; polygons: delaunay, hamiltonian-path, hamiltonian-cycle, "
-             "sequential");
+             "Points: delaunay, or each triangle beside the one before: hamiltonian-path, "
+             "serpentine, and hamiltonian-cycle, where the last is beside the first; polygons: "
+             "delaunay, hamiltonian-path, hamiltonian-cycle, sequential");
+  const auto* const splits =
+      add_choice(*verb, "--splitter", *splitter, kSplitters,
+                 "hamiltonian-cycle of points: which point splits a triangle, any of those in it, "
+                 "or one with at most two thirds of them in each part");
+  add_whole(*verb, "--seed", o->seed, 0, kNoLimit,
+            "hamiltonian-cycle of points: the random choices");
   add_choice(*verb, "--steiner", o->added, kAdded,
              "Polygons, hamiltonian-path and -cycle: allow points to be added inside where there "
              "is no such triangulation without");
@@ -173,7 +188,10 @@ void add_triangulate(CLI::App& app, Run& run) {
       ->required();
   verb->add_option("--output-format", o->output_format, "Format of the mesh if not by the name");
   verb->add_option("--picture", o->picture, "Also draw the triangles: .svg, .png or .pdf");
-  verb->callback([o, &run] { run = [o] { return triangulate(*o); }; });
+  verb->callback([o, splitter, splits, &run] {
+    if (splits->count() > 0) o->splitter = *splitter;
+    run = [o] { return triangulate(*o); };
+  });
 }
 
 }  // namespace quadloom::app

@@ -30,6 +30,8 @@ struct TriangulateOptions {
   InputKind input_kind = InputKind::kAuto;
   TriangulationKind kind = TriangulationKind::kDelaunay;
   Added added = Added::kNone;
+  std::optional<Splitter> splitter;  // given: hamiltonian-cycle of points alone
+  std::uint64_t seed = 1;            // likewise
   std::string output, output_format, picture;
 };
 

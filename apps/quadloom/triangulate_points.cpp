@@ -1,6 +1,7 @@
 // quadloom triangulate for points.
 #include "elevation.hpp"
 #include "facts.hpp"
+#include "progress_bar.hpp"
 #include "quadloom/quadrangulate.hpp"
 #include "timer.hpp"
 #include "triangulate.hpp"
@@ -14,8 +15,27 @@ struct Result {
   std::optional<OrderKind> order;
 };
 
-Result make(TriangulationKind kind, std::span<const Point> points) {
-  switch (kind) {
+/// A cycle; where there is none, or none was found, that is the answer.
+Result make_cycle(const TriangulateOptions& o, std::span<const Point> points) {
+  ProgressBar bar;
+  HamiltonianOptions making;
+  making.splitter = o.splitter.value_or(making.splitter);
+  making.seed = o.seed;
+  making.progress = bar.callback();
+  HamiltonianResult made = hamiltonian_cycle_triangulation(points, making);
+  if (made.order == OrderKind::kCycle) {
+    return {std::move(made.mesh), std::move(made.input_to_vertex), OrderKind::kCycle};
+  }
+  const bool none_inside = made.statistics.hull_points == made.mesh.points.size();
+  throw Error(
+      ErrorCode::kGuarantee,
+      std::string(none_inside ? "none: without a point inside the hull no triangulation is a cycle"
+                              : "no cycle of triangles was found: too many points are on lines") +
+          "; --kind hamiltonian-path makes a path");
+}
+
+Result make(const TriangulateOptions& o, std::span<const Point> points) {
+  switch (o.kind) {
     case TriangulationKind::kDelaunay: {
       DelaunayResult made = delaunay(points);
       return {std::move(made.mesh), std::move(made.input_to_vertex), {}};
@@ -25,8 +45,11 @@ Result make(TriangulationKind kind, std::span<const Point> points) {
       SerpentineResult made = serpentine_triangulation(points);
       return {std::move(made.mesh), std::move(made.input_to_vertex), OrderKind::kPath};
     }
+    case TriangulationKind::kHamiltonianCycle:
+      return make_cycle(o, points);
     default:
-      no_such_kind(kind, "points", "delaunay, hamiltonian-path and serpentine");
+      no_such_kind(o.kind, "points",
+                   "delaunay, hamiltonian-path, hamiltonian-cycle and serpentine");
   }
 }
 
@@ -35,7 +58,7 @@ Result make(TriangulationKind kind, std::span<const Point> points) {
 MadeTriangles triangulate_points(const TriangulateOptions& options, const io::PointTable& table) {
   MadeTriangles made;
   const Timer timer;
-  const Result result = make(options.kind, table.points);
+  const Result result = make(options, table.points);
   made.seconds = timer.seconds();
   made.order = result.order;
   made.file.mesh = to_polygon_mesh(result.mesh);

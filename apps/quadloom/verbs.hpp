@@ -16,6 +16,7 @@ void add_quality(CLI::App& app, Run& run);
 void add_draw(CLI::App& app, Run& run);
 void add_generate(CLI::App& app, Run& run);
 void add_layers(CLI::App& app, Run& run);
+void add_polygonize(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
 
 }  // namespace quadloom::app

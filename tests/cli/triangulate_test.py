@@ -47,6 +47,45 @@ class Order(CommandLine):
         self.refuses(2, ["serpentine", "polygons", "delaunay"],
                      "triangulate", "p.geojson", "--kind", "serpentine", "-o", "t.obj")
 
+class Cycle(CommandLine):
+    def test_the_last_triangle_is_beside_the_first(self):
+        self.write("p.xyz", INNER)
+        self.succeeds("generate", "grid", "-n", "400", "-o", "g.xyz")
+        for points, count in [("p.xyz", 12), ("g.xyz", 722)]:
+            for splitter in ["random", "balanced"]:
+                with self.subTest(points=points, splitter=splitter):
+                    run = self.succeeds("triangulate", points, "--kind", "hamiltonian-cycle",
+                                        "--splitter", splitter, "-o", "t.obj", "--picture", "t.svg")
+                    self.assertIn("the first beside the last", run.stdout)
+                    faces = faces_of(self.folder / "t.obj")
+                    self.assertEqual(len(faces), count)
+                    self.assertTrue(all(map(share_an_edge, faces, faces[1:] + faces[:1])))
+
+    def test_the_seed_counts(self):
+        self.succeeds("generate", "uniform", "-n", "50", "-o", "p.xyz")
+        for name, seed in [("a.obj", 1), ("b.obj", 1), ("c.obj", 2)]:
+            self.succeeds("triangulate", "p.xyz", "--kind", "hamiltonian-cycle", "--seed", seed,
+                          "-o", name)
+        a, b, c = (faces_of(self.folder / n) for n in ["a.obj", "b.obj", "c.obj"])
+        self.assertEqual(a, b)
+        self.assertNotEqual(a, c)
+
+    def test_none_is_an_answer(self):
+        self.write("hull.xyz", "0 0\n1 0\n2 0\n1 2\n")
+        self.refuses(4, ["none", "inside the hull", "hamiltonian-path"],
+                     "triangulate", "hull.xyz", "--kind", "hamiltonian-cycle", "-o", "t.obj")
+        self.write("pinwheel.xyz", "1 0\n3 1\n0 3\n1 1\n2 1\n1 2\n")
+        self.refuses(4, ["no cycle", "hamiltonian-path"],
+                     "triangulate", "pinwheel.xyz", "--kind", "hamiltonian-cycle", "-o", "t.obj")
+        self.succeeds("triangulate", "pinwheel.xyz", "--kind", "hamiltonian-path", "-o", "t.obj")
+
+    def test_splitters_are_for_cycles_of_points(self):
+        self.write("p.xyz", INNER)
+        self.refuses(2, ["--splitter", "hamiltonian-cycle"], "triangulate", "p.xyz", "--kind",
+                     "serpentine", "--splitter", "balanced", "-o", "t.obj")
+        self.refuses(2, ["--splitter", "'fair'", "balanced"], "triangulate", "p.xyz", "--kind",
+                     "hamiltonian-cycle", "--splitter", "fair", "-o", "t.obj")
+
 
 class Polygons(CommandLine):
     TEE = ('{"type": "Polygon", "coordinates": [[[0, 0, 9], [3, 0, 9], [3, 1, 9], [2, 1, 9], [2, 5, 9], '

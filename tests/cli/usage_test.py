@@ -2,7 +2,7 @@
 
 from harness import SQUARE, CommandLine, main
 
-VERBS = ["quadrangulate", "triangulate", "check", "quality", "draw", "generate", "layers", "compare"]
+VERBS = ["quadrangulate", "triangulate", "check", "quality", "draw", "generate", "layers", "polygonize", "compare"]
 
 
 class Usage(CommandLine):
