@@ -18,5 +18,7 @@ void add_generate(CLI::App& app, Run& run);
 void add_layers(CLI::App& app, Run& run);
 void add_polygonize(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
+void add_strip(CLI::App& app, Run& run);
+void add_unstrip(CLI::App& app, Run& run);
 
 }  // namespace quadloom::app

@@ -10,6 +10,7 @@
 
 #include "quadloom/core.hpp"
 #include "quadloom/kernel.hpp"
+#include "quadloom/strips.hpp"
 
 namespace quadloom::io {
 
@@ -86,6 +87,22 @@ struct PlanarFile {
 /// Error kParse, kNotFinite, kIndexOutOfRange (culprits: the line where there is one), kFile,
 /// kBadOption; kTooFewPoints for a file without anything.
 PlanarFile read_planar(const std::string& path, const std::string& format = {});
+
+/// Triangles as strips of vertices, with the points.
+struct StripFile {
+  std::vector<Point> points;
+  std::vector<double> z;  ///< per point, or empty
+  StripCode code;
+};
+
+/// Writes .strip, a text (docs/formats.md): the points bit for bit, the code as it is, one strip a
+/// line. Written to a temporary name, then renamed; "-" is standard output. Throws Error kFile;
+/// kIndexOutOfRange, kNotFinite, kBadMesh for strips that no file should hold.
+void write_strips(const std::string& path, const StripFile& strips);
+
+/// Reads what write_strips writes; "-" is standard input. Throws Error kParse, kNotFinite,
+/// kIndexOutOfRange (culprits: the line), kFile.
+StripFile read_strips(const std::string& path);
 
 /// Writes a text file by temporary name and rename; "-" is standard output. For reports.
 void write_text(const std::string& path, std::string_view text);

@@ -12,6 +12,7 @@
 #include "io/mesh_formats.hpp"
 #include "io/planar_readers.hpp"
 #include "io/point_readers.hpp"
+#include "io/strip_readers.hpp"
 #include "quadloom/certify.hpp"
 
 namespace quadloom::test {
@@ -94,6 +95,23 @@ inline bool try_planar(std::string_view format, std::string_view text) {
     require(verdict.ok(), verdict.sentence.c_str());
   } catch (const Error&) {
   }
+  return true;
+}
+
+/// True if the text was read. What was read decodes, and encodes again to the same triangles.
+inline bool try_strips(std::string_view text) {
+  io::StripFile file;
+  try {
+    file = io::read_strips_text({"input", text});
+  } catch (const Error&) {
+    return false;
+  }
+  const std::vector<VertexId> triangles = decode_strips(file.code);
+  require(triangles.size() <= 3 * file.code.index.size(), "more triangles than indices");
+  StripOptions options;
+  options.encoding = file.code.encoding;
+  const StripResult again = encode_strips(triangles_with_twins(file.points, triangles), options);
+  require(same_triangles(triangles, decode_strips(again.code)), "other triangles");
   return true;
 }
 

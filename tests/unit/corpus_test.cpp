@@ -19,11 +19,12 @@ TEST(Corpus, EveryFileIsReadOrRefused) {
     const auto underscore = folder.find('_');
     if (underscore == std::string::npos) continue;
     const std::string kind = folder.substr(0, underscore), format = folder.substr(underscore + 1);
-    if (kind != "points" && kind != "mesh" && kind != "planar") continue;
+    if (kind != "points" && kind != "mesh" && kind != "planar" && kind != "strips") continue;
     const std::string text = io::read_all(entry.path().string());
-    const bool ok = kind == "points" ? test::try_points(format, text)
-                    : kind == "mesh" ? test::try_mesh(format, text)
-                                     : test::try_planar(format, text);
+    const bool ok = kind == "points"   ? test::try_points(format, text)
+                    : kind == "mesh"   ? test::try_mesh(format, text)
+                    : kind == "strips" ? test::try_strips(text)
+                                       : test::try_planar(format, text);
     ++(ok ? read : refused);
     EXPECT_EQ(ok, !entry.path().filename().string().starts_with("bad"));
   }
