@@ -39,9 +39,9 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   Run run;
-  for (const auto add : {add_quadrangulate, add_triangulate, add_check, add_quality, add_draw,
-                         add_generate, add_layers, add_polygonize, add_compare, add_strip,
-                         add_unstrip}) {
+  for (const auto add :
+       {add_quadrangulate, add_triangulate, add_check, add_quality, add_draw, add_generate,
+        add_layers, add_polygonize, add_compare, add_strip, add_unstrip}) {
     add(app, run);
   }
   try {
