@@ -5,6 +5,7 @@
 #include "convex/points_convex_delaunay.hpp"
 #include "convex/points_convex_pentagons.hpp"
 #include "convex/points_convex_spiral.hpp"
+#include "kernel/delaunay_in_order.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadrangulate/point_input.hpp"
 
@@ -26,9 +27,10 @@ ConvexResult by_path(std::span<const Point> input, const ConvexOptions& options)
 
 std::optional<ConvexResult> by_delaunay(std::span<const Point> input,
                                         const ConvexOptions& options) {
-  DelaunayResult triangulation = delaunay(input);
-  auto result = convex::convex_delaunay_quadrangulation(std::move(triangulation.mesh), options);
-  if (result) result->input_to_vertex = std::move(triangulation.input_to_vertex);
+  kernel::DelaunayInOrder triangulation = kernel::delaunay_in_order(input);
+  std::vector<VertexId> input_to_vertex = std::move(triangulation.input_to_vertex);
+  auto result = convex::convex_delaunay_quadrangulation(std::move(triangulation), options);
+  if (result) result->input_to_vertex = std::move(input_to_vertex);
   return result;
 }
 

@@ -18,7 +18,7 @@
 
 namespace quadloom::convex {
 
-std::optional<ConvexResult> convex_delaunay_quadrangulation(Triangulation&& delaunay,
+std::optional<ConvexResult> convex_delaunay_quadrangulation(kernel::DelaunayInOrder&& delaunay,
                                                             const ConvexOptions& options) {
   PointOptions making;
   making.progress = options.progress;

@@ -18,11 +18,14 @@ namespace quadloom::dual {
 //    a --- b        a and b turn left; the corners at c and d belong to triangles.
 //      .   /
 //        d
+inline bool strictly_convex_pair(Point a, Point d, Point b, Point c) {
+  return kernel::orient(c, a, d) > 0 && kernel::orient(d, b, c) > 0;
+}
 /// The squareness of the pair across an inner halfedge; -1 if the quad is not strictly convex.
 inline double pair_squareness(const Triangulation& mesh, HalfedgeId h) {
   const Point a = mesh.points[mesh.origin(h)], b = mesh.points[mesh.target(h)];
   const Point c = mesh.points[mesh.apex(h)], d = mesh.points[mesh.apex(mesh.twin[h])];
-  if (kernel::orient(c, a, d) <= 0 || kernel::orient(d, b, c) <= 0) return -1;
+  if (!strictly_convex_pair(a, d, b, c)) return -1;
   return kernel::squareness(a, d, b, c);
 }
 

@@ -11,7 +11,8 @@
 //   5. insert            for each point: locate (a walk from the last point), collect_cavity (the
 //                        triangles whose circle holds the point), fill_cavity (its star)
 //   6. drop_ghosts       a last triangle moves into the place of each ghost
-//   7. emit              the triangles over the caller's numbers
+//   7. emit              the triangles over the caller's numbers; or emit_in_order, sorted along
+//                        the curve (delaunay_in_order.hpp)
 //
 // The hull: beyond each hull edge is a ghost triangle with a corner at infinity, in conflict with
 // the points strictly beyond the edge and with the points inside the edge itself. So no point needs
@@ -33,6 +34,7 @@
 #include <utility>
 
 #include "kernel/delaunay_builder.hpp"
+#include "kernel/delaunay_in_order.hpp"
 #include "kernel/input_points.hpp"
 #include "quadloom/kernel.hpp"
 
@@ -73,27 +75,76 @@ void emit(std::span<const DelaunayBuilder::Triangle> triangles, std::span<const 
   }
 }
 
-}  // namespace
+/// Where each triangle goes if they are sorted by the first of their vertices.
+std::vector<TriangleId> places_along_curve(std::span<const DelaunayBuilder::Triangle> triangles,
+                                           std::size_t vertices) {
+  const auto first = [](const DelaunayBuilder::Triangle& t) {
+    return std::min({t.v[0], t.v[1], t.v[2]});
+  };
+  std::vector<TriangleId> next(vertices + 1), place(triangles.size());
+  for (const DelaunayBuilder::Triangle& t : triangles) ++next[first(t) + 1];
+  for (std::size_t v = 0; v < vertices; ++v) next[v + 1] += next[v];
+  for (std::size_t t = 0; t < place.size(); ++t) place[t] = next[first(triangles[t])]++;
+  return place;
+}
 
-DelaunayResult delaunay(std::span<const Point> input) {
+void emit_in_order(std::span<const DelaunayBuilder::Triangle> triangles, Triangulation& mesh) {
+  const std::vector<TriangleId> place = places_along_curve(triangles, mesh.points.size());
+  mesh.tri_vertex.resize(3 * triangles.size());
+  mesh.twin.resize(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t twin = triangles[t].twin[i];
+      mesh.tri_vertex[3 * place[t] + i] = triangles[t].v[i];
+      mesh.twin[3 * place[t] + i] = twin == kNone ? kNone : 3 * place[twin >> 2] + (twin & 3U);
+    }
+  }
+}
+
+/// Steps 1 to 6.
+struct Built {
+  DelaunayBuilder builder;
+  std::vector<VertexId> vertex, input_to_vertex;
+};
+
+Built build(std::span<const Point> input, std::vector<Point>* points_in_order) {
   kernel::check_points(input, std::min(kMaxPoints, DelaunayBuilder::kMaxDelaunayPoints));
-  DelaunayResult out;
   std::vector<VertexId> order = spatial_order(input);
   std::vector<Point> in_order = kernel::gather(input, order);
-  const std::size_t count = kernel::number_distinct(in_order, order, out.input_to_vertex);
+  std::vector<VertexId> input_to_vertex;
+  const std::size_t count = kernel::number_distinct(in_order, order, input_to_vertex);
   if (count < 3) {
     throw Error(ErrorCode::kTooFewPoints,
                 "a triangulation needs three distinct points, not " + std::to_string(count));
   }
-  const std::vector<VertexId> vertex =
-      drop_duplicates(in_order, std::move(order), out.input_to_vertex, count);
-  DelaunayBuilder builder(std::move(in_order));
-  if (!builder.build()) {
+  std::vector<VertexId> vertex =
+      drop_duplicates(in_order, std::move(order), input_to_vertex, count);
+  if (points_in_order != nullptr) *points_in_order = in_order;
+  Built out{DelaunayBuilder(std::move(in_order)), std::move(vertex), std::move(input_to_vertex)};
+  if (!out.builder.build()) {
     throw Error(ErrorCode::kAllCollinear,
                 "all " + std::to_string(count) + " distinct points are on one line");
   }
-  out.mesh.points = kernel::points_by_number(input, out.input_to_vertex, count);
-  emit(builder.triangles(), vertex, out.mesh);
+  return out;
+}
+
+}  // namespace
+
+DelaunayResult delaunay(std::span<const Point> input) {
+  Built built = build(input, nullptr);
+  DelaunayResult out;
+  out.input_to_vertex = std::move(built.input_to_vertex);
+  out.mesh.points = kernel::points_by_number(input, out.input_to_vertex, built.vertex.size());
+  emit(built.builder.triangles(), built.vertex, out.mesh);
+  return out;
+}
+
+kernel::DelaunayInOrder kernel::delaunay_in_order(std::span<const Point> input) {
+  DelaunayInOrder out;
+  Built built = build(input, &out.mesh.points);
+  emit_in_order(built.builder.triangles(), out.mesh);
+  out.vertex = std::move(built.vertex);
+  out.input_to_vertex = std::move(built.input_to_vertex);
   return out;
 }
 

@@ -75,6 +75,21 @@ struct PairVerdict {
   PairMask proven, inside;
 };
 
+/// Signs that are certain, a bit a lane.
+struct PairSigns {
+  unsigned positive, negative;
+};
+
+/// proven_difference for two calls at once.
+inline PairSigns proven_difference(Pair l, Pair r) {
+  const Pair det = l - r;
+  const auto magnitude = [](Pair p) { return p < 0 ? -p : p; };
+  const Pair bound = kCrossError * (magnitude(l) + magnitude(r)) + kCrossUnderflow;
+  const PairMask positive = det > bound, negative = -det > bound;
+  const auto bits = [](PairMask m) { return static_cast<unsigned>((m[0] & 1) | (m[1] & 2)); };
+  return {bits(positive), bits(negative)};
+}
+
 /// A cheaper incircle filter for two calls at once, the points' differences to d given.
 inline PairVerdict incircle_pair_filter(Pair ax, Pair ay, Pair bx, Pair by, Pair cx, Pair cy) {
   const Pair a_lift = ax * ax + ay * ay, b_lift = bx * bx + by * by, c_lift = cx * cx + cy * cy;

@@ -4,22 +4,51 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/predicates_inline.hpp"
 #include "quadloom/core.hpp"
 
 namespace quadloom::kernel {
 
-/// The squared cosine of the corner at b of a, b, c.
-inline double squared_cosine(Point a, Point b, Point c) {
-  const double ux = a.x - b.x, uy = a.y - b.y, vx = c.x - b.x, vy = c.y - b.y;
-  const double dot = ux * vx + uy * vy;
-  return dot * dot / ((ux * ux + uy * uy) * (vx * vx + vy * vy));
+/// The edges of a quad, two and two side by side: ab and cd, bc and da. Two corners at a time cost hardly
+/// more than one.
+class QuadEdges {
+ public:
+  QuadEdges(Point a, Point b, Point c, Point d)
+      : x0_(Pair{b.x, d.x} - Pair{a.x, c.x}),
+        y0_(Pair{b.y, d.y} - Pair{a.y, c.y}),
+        x1_(Pair{c.x, a.x} - Pair{b.x, d.x}),
+        y1_(Pair{c.y, a.y} - Pair{b.y, d.y}) {}
+
+  /// The greatest squared cosine of the corners: 0 for a rectangle, 1 towards a flat corner; not a number,
+  /// or any, if differences of the input overflow.
+  double worst_squared_cosine() const {
+    const Pair x2 = swapped(x0_), y2 = swapped(y0_);
+    const Pair square0 = x0_ * x0_ + y0_ * y0_, square1 = x1_ * x1_ + y1_ * y1_;
+    const Pair at_b_d = x0_ * x1_ + y0_ * y1_, at_c_a = x1_ * x2 + y1_ * y2;
+    const Pair b_d = at_b_d * at_b_d / (square0 * square1);
+    const Pair c_a = at_c_a * at_c_a / (square1 * swapped(square0));
+    return std::max(std::max(c_a[1], b_d[0]), std::max(c_a[0], b_d[1]));
+  }
+  /// Whether the floating-point filter proves that all corners turn left.
+  bool proven_convex() const {
+    const PairSigns b_d = proven_difference(x0_ * y1_, y0_ * x1_);
+    const PairSigns c_a = proven_difference(x1_ * swapped(y0_), y1_ * swapped(x0_));
+    return (b_d.positive & c_a.positive) == 3;
+  }
+
+ private:
+  static Pair swapped(Pair p) { return Pair{p[1], p[0]}; }
+  Pair x0_, y0_, x1_, y1_;
+};
+
+inline double worst_squared_cosine(Point a, Point b, Point c, Point d) {
+  return QuadEdges(a, b, c, d).worst_squared_cosine();
 }
 
-/// In [0, 1]: 1 - max cos^2 over the corners of a convex quad; 1 for a rectangle, 0 towards a flat
+/// In [0, 1]: 1 - max |cos| over the corners of a convex quad; 1 for a rectangle, 0 towards a flat
 /// corner. Orders convex quads as quad_shape does. Not finite input differences give 0.
 inline double squareness(Point a, Point b, Point c, Point d) {
-  const double worst = std::max(std::max(squared_cosine(d, a, b), squared_cosine(a, b, c)),
-                                std::max(squared_cosine(b, c, d), squared_cosine(c, d, a)));
+  const double worst = worst_squared_cosine(a, b, c, d);
   return worst < 1 ? 1 - std::sqrt(worst) : 0;
 }
 

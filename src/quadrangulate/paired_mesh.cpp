@@ -15,16 +15,6 @@ bool split_by_first_diagonal(Point a, Point b, Point c, Point d) {
   return kernel::orient(a, b, c) > 0 && kernel::orient(a, c, d) > 0;
 }
 
-QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter) {
-  const TriangleId near = triangle_of(enter);
-  const HalfedgeId inside = mesh.mate[near], beyond = mesh.tri.twin[inside];
-  const HalfedgeId far_first = next_halfedge(beyond), far_second = previous_halfedge(beyond);
-  if (inside == next_halfedge(enter)) {
-    return {{far_first, far_second, previous_halfedge(enter)}, near, triangle_of(beyond)};
-  }
-  return {{next_halfedge(enter), far_first, far_second}, near, triangle_of(beyond)};
-}
-
 namespace {
 
 struct Pentagon {

@@ -78,7 +78,15 @@ struct QuadBehind {
   TriangleId near = kNone;  // the triangle of `enter`
   TriangleId far = kNone;
 };
-QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter);
+inline QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter) {
+  const TriangleId near = triangle_of(enter);
+  const HalfedgeId inside = mesh.mate[near], beyond = mesh.tri.twin[inside];
+  const HalfedgeId far_first = next_halfedge(beyond), far_second = previous_halfedge(beyond);
+  if (inside == next_halfedge(enter)) {
+    return {{far_first, far_second, previous_halfedge(enter)}, near, triangle_of(beyond)};
+  }
+  return {{next_halfedge(enter), far_first, far_second}, near, triangle_of(beyond)};
+}
 
 /// A free triangle a, b, c beside the quad b, a, d, e, seen as the pentagon b, c, a, d, e.
 /// Re-cutting it moves the free triangle to another ear, or, where c is d or e (the quad wraps

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/delaunay_in_order.hpp"
 #include "quadloom/kernel.hpp"
 #include "quadloom/quadrangulate.hpp"
 #include "quadrangulate/point_input.hpp"
@@ -17,25 +18,25 @@ using namespace quadrangulate;
 
 namespace {
 
-/// The methods that start from the Delaunay triangulation.
-std::optional<PointResult> from_delaunay(std::span<const Point> input,
-                                         const PointOptions& options) {
+std::optional<PointResult> by_pairs(std::span<const Point> input, const PointOptions& options) {
+  kernel::DelaunayInOrder triangulation = kernel::delaunay_in_order(input);
+  std::vector<VertexId> input_to_vertex = std::move(triangulation.input_to_vertex);
+  auto result = delaunay_quadrangulation(std::move(triangulation), options);
+  if (result) result->input_to_vertex = std::move(input_to_vertex);
+  return result;
+}
+
+PointResult by_subdivision(std::span<const Point> input, const PointOptions& options) {
   DelaunayResult triangulation = delaunay(input);
-  std::optional<PointResult> result;
-  if (options.method == PointMethod::kSubdivide) {
-    result = subdivide_quadrangulation(std::move(triangulation.mesh), options);
-  } else {
-    result = delaunay_quadrangulation(std::move(triangulation.mesh), options);
-  }
-  if (result) result->input_to_vertex = std::move(triangulation.input_to_vertex);
+  PointResult result = subdivide_quadrangulation(std::move(triangulation.mesh), options);
+  result.input_to_vertex = std::move(triangulation.input_to_vertex);
   return result;
 }
 
 /// What the method makes of the points; empty if it gave up, which no input is known to cause.
 std::optional<PointResult> run_method(std::span<const Point> input, const PointOptions& options) {
-  if (options.method == PointMethod::kDelaunay || options.method == PointMethod::kSubdivide) {
-    return from_delaunay(input, options);
-  }
+  if (options.method == PointMethod::kDelaunay) return by_pairs(input, options);
+  if (options.method == PointMethod::kSubdivide) return by_subdivision(input, options);
   DistinctPoints distinct = points_of_the_plane(input);
   std::optional<PointResult> result;
   switch (options.method) {

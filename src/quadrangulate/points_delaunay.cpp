@@ -11,14 +11,15 @@
 //   2. walk_to_hull       if the number of hull points is odd: the left-over triangle that is
 //   nearest to a good hull
 //                         edge walks there and becomes a quad with the one Steiner point
-//   3. walk_together      left-over triangles walk towards each other, near ones first; only
-//   strictly convex quads
-//                         may be left behind as long as that is possible
-//   4. slide_diagonals    hill climb on shape, see diagonal_slides.hpp
+//   3. walk_quickly       left-over triangles walk towards each other by cheap searches, near ones first; only
+//   strictly convex quads may be left behind as long as that is possible
+//   4. walk_together      what these searches do not bring together, if anything
+//   5. slide_diagonals    hill climb on shape, see diagonal_slides.hpp
 //
 // Degenerate input: all decisions are the kernel's exact predicates; collinear hull points are hull
 // points; in wrapped quads (an inner point of degree two) a walk turns the wheel, see
-// paired_mesh.hpp. Cost: O(n log n) for the triangulation, O(n) for the matching, and short
+// paired_mesh.hpp. Vertices and triangles are numbered along a curve (kernel/delaunay_in_order.hpp), so that
+// all passes and searches stay near each other in memory. Cost: O(n log n) for the triangulation, O(n) for the matching, and short
 // searches; near-linear in practice.
 #include "quadrangulate/points_delaunay.hpp"
 
@@ -41,14 +42,15 @@ PairedMesh pair_by_shape(Triangulation&& delaunay) {
 
 }  // namespace
 
-std::optional<DelaunayQuads> delaunay_quads(Triangulation&& delaunay, const PointOptions& options,
+std::optional<DelaunayQuads> delaunay_quads(kernel::DelaunayInOrder&& delaunay,
+                                            const PointOptions& options,
                                             std::span<const SteinerKind> kinds) {
   DelaunayQuads out;
-  out.input_vertices = delaunay.points.size();
+  out.input_vertices = delaunay.mesh.points.size();
   report_progress(options.progress, "pairing", 0);
-  out.order = VertexOrder(delaunay);
+  out.order = VertexOrder(std::move(delaunay.vertex));
   PairedMesh& mesh = out.mesh;
-  mesh = pair_by_shape(std::move(delaunay));
+  mesh = pair_by_shape(std::move(delaunay.mesh));
   const std::vector<TriangleId> free = free_triangles(mesh);
   out.statistics.unmatched_greedy = free.size();
 
@@ -60,24 +62,27 @@ std::optional<DelaunayQuads> delaunay_quads(Triangulation&& delaunay, const Poin
     out.steiner = walk_to_hull(mesh, walker, hull, free, kinds);
     if (!out.steiner && kinds.size() == 2) return std::nullopt;  // both kinds: there is always one
   }
-  walk_together(walker, mesh, kPlanarRounds, options.progress);
+  QuickWalker quick(mesh);
+  walk_quickly(quick, walker, mesh, options.progress);
+  walk_together(walker, mesh, kLastPlanarRounds, options.progress);
   const std::size_t left = free_triangles(mesh).size();
   if (left != (odd && !out.steiner ? 1U : 0U)) return std::nullopt;
 
   report_progress(options.progress, "improving", 0);
   out.statistics.slides = slide_diagonals(mesh);
-  out.statistics.walks = walker.walks();
-  out.statistics.walk_steps = walker.steps();
+  out.statistics.walks = quick.walks() + walker.walks();
+  out.statistics.walk_steps = quick.steps() + walker.steps();
   return out;
 }
 
-std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
+std::optional<PointResult> delaunay_quadrangulation(kernel::DelaunayInOrder&& delaunay,
                                                     const PointOptions& options) {
   const auto wish = kinds_by_wish(options.odd_boundary);
   std::span<const SteinerKind> kinds = wish;
   if (options.odd_boundary == OddBoundary::kTriangle) kinds = {};
   const auto quads = delaunay_quads(std::move(delaunay), options, kinds);
   if (!quads) return std::nullopt;
+  report_progress(options.progress, "numbering", 0);
   PointResult result;
   result.input_vertices = quads->input_vertices;
   result.statistics = quads->statistics;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "kernel/delaunay_in_order.hpp"
 #include "quadrangulate/paired_mesh.hpp"
 #include "quadrangulate/vertex_order.hpp"
 
@@ -21,12 +22,13 @@ struct DelaunayQuads {
 /// The quads of the Delaunay triangulation of a point set. If an odd number of points is on the hull
 /// one is added of the first of the kinds that has a place; with no kind, or none of one kind, a triangle
 /// stays. Empty if a walk could not finish (not seen yet).
-std::optional<DelaunayQuads> delaunay_quads(Triangulation&& delaunay, const PointOptions& options,
+std::optional<DelaunayQuads> delaunay_quads(kernel::DelaunayInOrder&& delaunay,
+                                            const PointOptions& options,
                                             std::span<const SteinerKind> kinds);
 
 /// Quadrangulates the Delaunay triangulation of a point set; input_to_vertex is left to the caller.
 /// Empty if a walk could not finish (not seen yet).
-std::optional<PointResult> delaunay_quadrangulation(Triangulation&& delaunay,
+std::optional<PointResult> delaunay_quadrangulation(kernel::DelaunayInOrder&& delaunay,
                                                     const PointOptions& options);
 
 }  // namespace quadloom::quadrangulate

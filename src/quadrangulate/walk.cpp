@@ -5,6 +5,7 @@
 
 #include "kernel/predicates_inline.hpp"
 #include "kernel/squareness.hpp"
+#include "quadrangulate/pentagon.hpp"
 
 namespace quadloom::quadrangulate {
 namespace {
@@ -26,30 +27,6 @@ std::uint32_t quad_cost(QuadKind kind, Point a, Point b, Point c, Point d, WalkQ
   }
   return kForbidden;
 }
-
-/// The turns of all triples of a pentagon's corners, which the cuts of its ears share.
-class PentagonTurns {
- public:
-  explicit PentagonTurns(const std::array<Point, 5>& p) {
-    for (std::size_t i = 0; i < 5; ++i) {
-      ear_[i] = kernel::orient(p[(i + 4) % 5], p[i], p[(i + 1) % 5]);
-      wide_[i] = kernel::orient(p[i], p[(i + 2) % 5], p[(i + 3) % 5]);
-    }
-  }
-  /// The turn at corner i between its neighbours.
-  int at(std::size_t i) const { return ear_[i]; }
-  /// The quad that is left without corner i.
-  QuadKind without(std::size_t i) const {
-    const auto k = [i](std::size_t step) { return (i + step) % 5; };
-    // Its corners are i + 1 .. i + 4; those next to i see the far side, the others keep their
-    // turns.
-    return classify_quad(wide_[k(4)], ear_[k(2)], ear_[k(3)], wide_[k(1)]);
-  }
-
- private:
-  std::array<int, 5> ear_;
-  std::array<int, 5> wide_;
-};
 
 constexpr std::uint32_t kWheelCost = 80;  // its quad has a reflex corner
 

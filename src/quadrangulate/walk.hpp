@@ -52,6 +52,8 @@ class Walker {
   HalfedgeId reach_boundary(std::span<const TriangleId> starts, const BoundaryGoal& goal,
                             const WalkLimits& limits);
 
+  /// Of the last search.
+  std::size_t nodes() const { return nodes_.size(); }
   std::size_t walks() const { return walks_; }
   std::size_t steps() const { return steps_; }
 

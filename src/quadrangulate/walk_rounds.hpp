@@ -4,28 +4,23 @@
 #include <span>
 #include <vector>
 
+#include "quadrangulate/quick_walk.hpp"
 #include "quadrangulate/walk.hpp"
 
 namespace quadloom::quadrangulate {
 
 std::vector<TriangleId> free_triangles(const PairedMesh& mesh);
 
-/// Small searches first bring near ones together; what has no convex way within 4,000 nodes seldom
-/// has one.
-inline constexpr WalkLimits kPlanarRounds[] = {
-    {WalkQuads::kStrictlyConvex, 20},
-    {WalkQuads::kStrictlyConvex, 100},
-    {WalkQuads::kStrictlyConvex, 1'000},
-    {WalkQuads::kStrictlyConvex, 4'000, 2},
-    {WalkQuads::kAny, 1'000},
-    {WalkQuads::kAny, 100'000},
+/// What cheap searches do not bring together: a quad may be passed by several routes, and wheels turned.
+inline constexpr WalkLimits kLastPlanarRounds[] = {
     {WalkQuads::kAny, kNone},
     {WalkQuads::kAny, kNone, 4},
     {WalkQuads::kAny, kNone, 16},
     {WalkQuads::kAny, kNone, 255},
 };
 
-/// Where inner points may be added instead: in narrow corridors there often is no way, and searches of
+/// Small searches first bring near ones together; what has no convex way within 4,000 nodes seldom has one. Inner
+/// points may be added instead of the longest searches: in narrow corridors there often is no way, and searches of
 /// several visits would see all of the mesh again for each triangle.
 inline constexpr WalkLimits kCorridorRounds[] = {
     {WalkQuads::kStrictlyConvex, 20},
@@ -50,6 +45,11 @@ inline constexpr WalkLimits kSurfaceRounds[] = {
     {WalkQuads::kStrictlyConvex, 4'000, 2, 0.94}, {WalkQuads::kStrictlyConvex, 4'000, 2, 0.7},
     {WalkQuads::kAny, 10'000, 2, 0.94},           {WalkQuads::kAny, 10'000, 2, 0.7},
 };
+
+/// Brings the free triangles of a planar mesh together, but for one, or for some that only kLastPlanarRounds
+/// find a way for.
+void walk_quickly(QuickWalker& quick, Walker& walker, const PairedMesh& mesh,
+                  const Progress& progress);
 
 /// In each round every triangle that is still free looks for another within the round's limits.
 /// Returns how many are free at the end.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "kernel/delaunay_in_order.hpp"
 #include "quadloom/generate.hpp"
 #include "quadloom/kernel.hpp"
 #include "support/delaunay_checks.hpp"
@@ -107,6 +108,34 @@ TEST(DelaunayProperty, EveryMagnitude) {
 }
 
 // Without cocircular points the triangulation is unique, so it turns with its points.
+
+TEST(DelaunayProperty, InOrderTheTrianglesAreTheSame) {
+  for (const Generator& g : generators()) {
+    SCOPED_TRACE(std::string(g.name) + " 900, seed 8, shuffled with seed 9");
+    std::vector<Point> points = generate_points(g.name, 900, 8);
+    shuffle(points, 9);
+    const DelaunayResult given = delaunay(points);
+    const kernel::DelaunayInOrder in_order = kernel::delaunay_in_order(points);
+    ASSERT_EQ(in_order.input_to_vertex, given.input_to_vertex);
+    ASSERT_EQ(triangle_set(in_order.mesh), triangle_set(given.mesh));
+    for (VertexId v = 0; v < in_order.vertex.size(); ++v) {
+      ASSERT_EQ(in_order.mesh.points[v], given.mesh.points[in_order.vertex[v]]);
+    }
+    VertexId before = 0;
+    for (HalfedgeId h = 0; h < in_order.mesh.twin.size(); ++h) {
+      const HalfedgeId twin = in_order.mesh.twin[h];
+      if (twin != kNone) {
+        ASSERT_EQ(in_order.mesh.twin[twin], h);
+        ASSERT_EQ(in_order.mesh.origin(twin), in_order.mesh.target(h));
+      }
+      if (h % 3 != 0) continue;
+      const auto* v = &in_order.mesh.tri_vertex[h];
+      const VertexId first = std::min({v[0], v[1], v[2]});
+      ASSERT_GE(first, before);
+      before = first;
+    }
+  }
+}
 
 TEST(DelaunayProperty, TurnsAndMirrorImages) {
   for (const std::string kind : {"uniform", "gaussian", "clusters"}) {

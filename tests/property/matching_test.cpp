@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "kernel/squareness.hpp"
 #include "quadloom/dual.hpp"
 #include "quadloom/generate.hpp"
 #include "quadloom/kernel.hpp"
@@ -17,6 +18,39 @@ namespace {
 using test::add_edge;
 using test::brute_force_unmatched;
 using test::random_graph;
+
+/// The greedy matching by definition: all pairs, sorted by shape and number.
+DualMatching sorted_greedy(const Triangulation& mesh) {
+  std::vector<std::pair<float, HalfedgeId>> pairs;
+  for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
+    if (mesh.twin[h] == kNone || mesh.twin[h] < h) continue;
+    const Point a = mesh.points[mesh.origin(h)], b = mesh.points[mesh.target(h)];
+    const Point c = mesh.points[mesh.apex(h)], d = mesh.points[mesh.apex(mesh.twin[h])];
+    if (orient2d(c, a, d) <= 0 || orient2d(d, b, c) <= 0) continue;
+    pairs.emplace_back(static_cast<float>(kernel::worst_squared_cosine(a, d, b, c)), h);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  DualMatching matching{std::vector<HalfedgeId>(mesh.triangle_count(), kNone),
+                        mesh.triangle_count()};
+  for (const auto& [weight, h] : pairs) {
+    const TriangleId t = triangle_of(h), u = triangle_of(mesh.twin[h]);
+    if (matching.mate[t] != kNone || matching.mate[u] != kNone) continue;
+    matching.mate[t] = h;
+    matching.mate[u] = mesh.twin[h];
+    matching.unmatched -= 2;
+  }
+  return matching;
+}
+
+TEST(GreedyMatching, TakesTheBestPairsFirst) {
+  for (const Generator& g : generators()) {
+    SCOPED_TRACE(std::string(g.name) + " 600, seed 3");
+    const Triangulation mesh = delaunay(generate_points(g.name, 600, 3)).mesh;
+    const DualMatching greedy = greedy_shape_matching(mesh), sorted = sorted_greedy(mesh);
+    ASSERT_EQ(greedy.mate, sorted.mate);
+    ASSERT_EQ(greedy.unmatched, sorted.unmatched);
+  }
+}
 
 /// A maximal matching, edges in random order.
 DualMatching random_maximal_matching(const DualGraph& graph, Random& random) {

@@ -1,0 +1,96 @@
+// Walks on planar meshes, found by cheap searches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "quadrangulate/walk.hpp"
+
+namespace quadloom::quadrangulate {
+
+/// Walks as in walk.hpp, for planar meshes and between free triangles alone. A search takes the first
+/// free triangle that it meets, and passes a quad once.
+class QuickWalker {
+ public:
+  explicit QuickWalker(PairedMesh& mesh) : mesh_(mesh) {}
+
+  /// The best-shaped walk of the free triangle through one quad to another one, strictly convex quads left
+  /// behind; pairs them. False, and nothing changed, if there is none.
+  bool merge_over_quad(TriangleId start);
+
+  /// A short walk to another one by quads of good shape, found within so many nodes.
+  bool merge(TriangleId start, WalkQuads quads, std::size_t nodes);
+
+  /// Slides an edge between two quads near the triangle, quads that are strictly convex as before, so that there
+  /// is a walk. If there is none, all is as before.
+  bool merge_after_slide(TriangleId start, std::size_t nodes);
+
+  /// A walk to about the nearest one, however far, any quads left behind. False if none was found.
+  bool merge_far(TriangleId start);
+
+  std::size_t walks() const { return walks_; }
+  std::size_t steps() const { return steps_; }
+
+  /// Called after each re-cut with the triangles touched.
+  std::function<void(std::span<const TriangleId>)> on_recut;
+
+ private:
+  /// The free triangle after some moves.
+  struct Node {
+    std::uint32_t parent = kNone;
+    HalfedgeId enter = kNone;  // of the quad that was re-cut to get here; kNone for the start
+    std::array<VertexId, 3> corner;
+    std::array<HalfedgeId, 3> exit;  // from corner i to i + 1; kNone for the edge just cut
+    std::uint32_t cost = 0;
+    std::uint32_t rank = 0;      // the cost, and what is still to come if there is an aim
+    std::uint32_t next = kNone;  // in its bucket
+    int ear = 0;
+  };
+  struct OverQuad {
+    double worst;  // squared cosine
+    HalfedgeId enter = kNone, met = kNone;
+    std::size_t ear = 0;
+  };
+  /// No move costs as much as the ring is long, so that the costs waiting fit in one turn of it.
+  static constexpr std::uint32_t kRing = 128;
+
+  struct Reached {
+    HalfedgeId enter;
+    std::uint32_t hops;
+  };
+
+  TriangleId aim_at_nearest();
+  std::uint32_t cost_to_aim(const Node& node) const;
+  void try_over(HalfedgeId exit, OverQuad& best) const;
+  bool search(std::size_t nodes);
+  std::uint32_t pop();
+  void expand(std::uint32_t from);
+  void try_ears(std::uint32_t from, std::size_t i);
+  void push(const Node& node);
+  void try_goals(std::uint32_t from);
+  void apply(std::uint32_t end);
+  bool try_slides(HalfedgeId edge, std::size_t nodes);
+  void step(HalfedgeId enter, int ear);
+
+  PairedMesh& mesh_;
+  TriangleId start_ = kNone;
+  WalkQuads quads_ = WalkQuads::kStrictlyConvex;
+  std::vector<Node> nodes_;
+  std::array<std::uint32_t, kRing> bucket_;  // the last node of each, by cost
+  std::uint32_t cost_ = 0;
+  std::size_t waiting_ = 0;
+  Point aim_;
+  double cost_of_length_ = 0;  // of the way to the aim; 0: no aim
+  std::vector<Reached> reached_;
+  std::uint32_t goal_ = kNone, goal_cost_ = kNone;  // the cheapest node that meets a free triangle
+  HalfedgeId met_ = kNone;
+  std::vector<std::uint32_t> search_of_;  // by quad: the last search that passed it
+  std::uint32_t searches_ = 0;
+  std::size_t walks_ = 0;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace quadloom::quadrangulate

@@ -1,0 +1,133 @@
+#include "quadrangulate/quick_walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/random.hpp"
+#include "quadloom/kernel.hpp"
+#include "quadloom/quadloom.hpp"
+#include "quadrangulate/pentagon.hpp"
+#include "quadrangulate/walk_rounds.hpp"
+#include "support/paired_checks.hpp"
+
+namespace quadloom::quadrangulate {
+namespace {
+
+PairedMesh greedily_paired(const std::vector<Point>& points) {
+  Triangulation mesh = delaunay(points).mesh;
+  std::vector<HalfedgeId> mate = greedy_shape_matching(mesh).mate;
+  return {std::move(mesh), std::move(mate), {}, {}};
+}
+
+std::size_t not_strictly_convex(const PairedMesh& mesh) {
+  const Quadrangulation quads = to_quadrangulation(mesh);
+  std::size_t count = 0;
+  for (std::size_t q = 0; q < quads.quad_count(); ++q) {
+    std::array<Point, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = quads.points[quads.quad_vertex[4 * q + i]];
+    if (classify_quad(p[0], p[1], p[2], p[3]) != QuadKind::kStrictlyConvex) ++count;
+  }
+  return count;
+}
+
+/// The faces, each from its smallest corner on, in order.
+std::vector<std::vector<VertexId>> faces_of(const PairedMesh& mesh) {
+  const Quadrangulation quads = to_quadrangulation(mesh);
+  std::vector<std::vector<VertexId>> faces;
+  const auto add = [&](const std::vector<VertexId>& corner, std::size_t k) {
+    for (std::size_t i = 0; i < corner.size(); i += k) {
+      const auto begin = corner.begin() + static_cast<std::ptrdiff_t>(i);
+      std::vector<VertexId> face(begin, begin + static_cast<std::ptrdiff_t>(k));
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+      faces.push_back(face);
+    }
+  };
+  add(quads.quad_vertex, 4);
+  add(quads.tri_vertex, 3);
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+const std::vector<std::string> kKinds = {"uniform", "grid",      "lines",
+                                         "circle",  "bhrs-line", "bhrs-ring"};
+
+TEST(QuickWalk, StrictlyConvexWalksLeaveNoOtherQuads) {
+  std::size_t over_quad = 0, longer = 0, after_slide = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (const std::string& kind : kKinds) {
+      SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
+      PairedMesh mesh = greedily_paired(generate_points(kind, 150, seed));
+      QuickWalker walker(mesh);
+      std::size_t free = free_triangles(mesh).size();
+      for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
+        if (!mesh.is_free(t)) continue;
+        const auto before = faces_of(mesh);
+        if (walker.merge_over_quad(t)) {
+          ++over_quad;
+        } else if (walker.merge(t, WalkQuads::kStrictlyConvex, 300)) {
+          ++longer;
+        } else if (walker.merge_after_slide(t, 300)) {
+          ++after_slide;
+        } else {
+          EXPECT_EQ(faces_of(mesh), before);
+          continue;
+        }
+        free -= 2;
+        testing::check_paired_mesh(mesh, free);
+        EXPECT_EQ(not_strictly_convex(mesh), 0U);
+        if (::testing::Test::HasFailure()) return;
+      }
+    }
+  }
+  EXPECT_GT(over_quad, 100U);
+  EXPECT_GT(longer, 100U);
+  EXPECT_GT(after_slide, 10U);
+}
+
+TEST(QuickWalk, TheSweepsLeaveNextToNothing) {
+  std::size_t left = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (const std::string& kind : kKinds) {
+      SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
+      PairedMesh mesh = greedily_paired(generate_points(kind, 200, seed));
+      QuickWalker quick(mesh);
+      Walker walker(mesh);
+      walk_quickly(quick, walker, mesh, {});
+      const std::size_t free = free_triangles(mesh).size();
+      testing::check_paired_mesh(mesh, free);
+      if (::testing::Test::HasFailure()) return;
+      left += free / 2;
+    }
+  }
+  EXPECT_LT(left, 60U);  // walks that only the last rounds of walk_rounds.hpp find
+}
+
+TEST(QuickWalk, TurnsOfPentagonsAreExact) {
+  Random random(1);
+  SCOPED_TRACE("seed 1");
+  std::size_t zeros = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::array<Point, 5> p;
+    for (Point& q : p) {
+      q = {static_cast<double>(random.below(5)), static_cast<double>(random.below(5))};
+      if (i % 2 == 1) q = {q.x * 1e-3 + 0.1, q.y / 3};  // collinear up to rounding
+    }
+    const PentagonTurns turns(p);
+    for (std::size_t k = 0; k < 5; ++k) {
+      const auto at = [&](std::size_t step) { return p[(k + step) % 5]; };
+      const int turn = orient2d(at(4), at(0), at(1));
+      zeros += turn == 0 ? 1U : 0U;
+      ASSERT_EQ(turns.at(k), turn);
+      const QuadKind kind = classify_quad(at(1), at(2), at(3), at(4));
+      ASSERT_EQ(turns.without(k), kind);
+      ASSERT_EQ((turns.convex_cuts() >> k & 1U) != 0,
+                turn > 0 && kind == QuadKind::kStrictlyConvex);
+    }
+  }
+  EXPECT_GT(zeros, 1'000U);
+}
+
+}  // namespace
+}  // namespace quadloom::quadrangulate
