@@ -148,14 +148,14 @@ ConvexDecomposition convex_decomposition(const Polygon& polygon,
                                          const DecompositionOptions& options = {});
 
 /// A triangulation of a polygon, holes allowed, whose triangles are a path or a cycle, with added points
-/// inside (Arkin, Held, Mitchell and Skiena, theorem 2.3). From a decomposition into k > 1 convex parts:
-/// k - 1 points for a cycle, k - 2 for a path; of some polygons any such triangulation needs as many, most
-/// have one with fewer. A convex polygon has a path without points and a cycle with one.
+/// inside (Arkin, Held, Mitchell and Skiena, theorem 2.3). From a decomposition into k > 1 convex parts: at
+/// most k - 1 points for a cycle, k - 2 for a path, which some polygons need; most need fewer, and a point
+/// that sees several parts saves some. A convex polygon has a path without points and a cycle with one.
 ///
-/// Flat corners may cost one point more, as they must: a cycle has k points if at each common side of two
-/// parts one of them goes straight on at one end and the other at the other end, a path has k - 1 if at
-/// each common side one of the two goes straight on at both ends. Throws Error kGuarantee if a point has no
-/// place among the doubles, kBadPolygon for an inside in parts, kBadOption for kSequential, and as
+/// Flat corners may cost one point more, as they must: a cycle has up to k points if at each common side of
+/// two parts one of them goes straight on at one end and the other at the other end, a path up to k - 1 if
+/// at each common side one of the two goes straight on at both ends. Throws Error kGuarantee if a point has
+/// no place among the doubles, kBadPolygon for an inside in parts, kBadOption for kSequential, and as
 /// constrained_delaunay. O(n log n) after convex_decomposition.
 PolygonOrder hamiltonian_triangulation_with_points(const Polygon& polygon, OrderKind order,
                                                    const DecompositionOptions& options = {});

@@ -1,6 +1,6 @@
 // A polygon whose triangles are a cycle, or a path, with added points: Arkin, Held, Mitchell and Skiena,
-// theorem 2.3. For a cut into k > 1 convex parts: k - 1 points for a cycle, k - 2 for a path. With holes as
-// well.
+// theorem 2.3. For a cut into k > 1 convex parts: at most k - 1 points for a cycle, k - 2 for a path. With
+// holes as well.
 //
 // Two neighbouring parts are the root. For a cycle a point on their common side sees all of both: its fan
 // is a cycle. For a path each of the two has a path of triangles that starts at the common side
@@ -17,11 +17,16 @@
 //   2. start_cycle, start_path  the root
 //   3. take_in               the other parts, breadth first
 //   4. finish                the list of triangles as a mesh
+//   5. best_path             for a path
 //
 // What we do differently. A point that is rounded is not on the common side. It need not be: s must see
 // the sides of its part and the edges v-w and w-u, each strictly from its left. That is an open region,
 // which the theorem's places on u-v touch; so s is placed inside its part, about halfway to its middle,
 // and checked exactly (place_in_star).
+//
+// And a part need not be convex: where a point can see more parts, it takes them in as well (grow_star).
+// The theorem's numbers are the most, then; of random polygons it leaves 20 to 60% of them. A cycle cut open
+// is a path, too; the one with fewer points is taken.
 //
 // Flat corners, which the theorem does not think of, cost a point more in two cases, and must:
 //   - A cycle. Where one part goes straight on at one end of the common side and the other part at the
@@ -32,18 +37,19 @@
 //     cycle with k - 1 points that is cut open.
 // A convex polygon (k = 1) has a path without points, and a cycle with one point.
 //
-// Cost: that of convex_decomposition, O(n log n) for the rest; if a root fails the next is tried, which
-// needs O(1) for flat corners.
+// Cost: that of convex_decomposition, O(n log n) for the rest, but for the places: O(m^2) for each of the m
+// sides, at most a few dozen, of what a point sees.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/point_text.hpp"
 #include "quadloom/strips.hpp"
 #include "strips/convex_path.hpp"
 #include "strips/match_twins.hpp"
-#include "strips/part_sides.hpp"
+#include "strips/part_star.hpp"
 #include "strips/star_place.hpp"
 
 namespace quadloom {
@@ -61,9 +67,15 @@ class Tour {
         owner_(sides_.count(), kNone),
         taken_(decomposition_.parts.face_count(), 0) {}
 
-  PolygonOrder make(OrderKind order) {
-    const bool cycle = order == OrderKind::kCycle;
-    if ((cycle || !start_path()) && !start_cycle()) refuse(0);
+  /// None if flat corners allow no path as a root.
+  std::optional<PolygonOrder> from_path() {
+    if (!start_path()) return std::nullopt;
+    take_in_all();
+    return finish(OrderKind::kPath);
+  }
+
+  PolygonOrder from_cycle(OrderKind order) {
+    if (!start_cycle()) refuse(0);
     take_in_all();
     return finish(order);
   }
@@ -83,13 +95,14 @@ class Tour {
   Point middle_of(std::span<const SideId> sides) const;
 
   bool start_cycle();
-  bool start_star(std::span<const SideId> sides, Point from, Point to, SideId base);
+  bool start_star(PartStar star, Point from, Point towards);
   bool start_path();
   void start_half(SideId base, std::vector<TriangleId>& row);
 
   void take_in_all();
   void take_in(SideId side);
-  VertexId add_point(Point p, SideId base);
+  void take(PartStar& star);
+  VertexId add_point(const PartStar& star, std::array<VertexId, 3> parents);
   TriangleId add_item(const std::array<VertexId, 3>& corner, const std::array<SideId, 3>& side);
   void own(TriangleId t);
   std::vector<TriangleId> fan(VertexId centre, std::span<const SideId> sides);
@@ -97,7 +110,6 @@ class Tour {
   void link_all(std::span<const TriangleId> row);
   bool has_edge(TriangleId t, VertexId from, VertexId to) const;
   void replace(TriangleId t, std::vector<TriangleId> row);
-  void open_part(SideId base);
 
   [[noreturn]] void refuse(SideId side) const;
   PolygonOrder finish(OrderKind order);
@@ -141,39 +153,36 @@ Point Tour::middle_of(std::span<const SideId> sides) const {
 }
 
 bool Tour::start_cycle() {
-  const std::vector<SideId> inner = inner_sides();
-  for (const SideId s : inner) {
+  for (const SideId s : inner_sides()) {
     const SideId t = sides_.twin(s);
     const bool here = sides_.flat_at_origin(s) || sides_.flat_at_target(s);
     const bool there = sides_.flat_at_origin(t) || sides_.flat_at_target(t);
     if (here && there) continue;
-    std::vector<SideId> around = sides_.others(s);
+    PartStar star{sides_.others(s), {}, {sides_.part(s), sides_.part(t)}, {}};
     const std::vector<SideId> beyond = sides_.others(t);
-    const Point towards = middle_of(there ? beyond : around);
-    around.insert(around.end(), beyond.begin(), beyond.end());
     const Point from = middle(at(sides_.origin(s)), at(sides_.target(s)));
-    if (start_star(around, from, here || there ? towards : from, s)) return true;
+    const Point towards = here || there ? middle_of(there ? beyond : star.sides) : from;
+    star.sides.insert(star.sides.end(), beyond.begin(), beyond.end());
+    if (start_star(std::move(star), from, towards)) return true;
   }
   for (PartId part = 0; part < taken_.size(); ++part) {
     const SideId first = decomposition_.parts.face_begin[part];
-    std::vector<SideId> around = sides_.others(first);
-    around.push_back(first);
-    const Point centre = middle_of(around);
-    if (start_star(around, centre, centre, first)) return true;
+    PartStar star{sides_.others(first), {}, {part}, {}};
+    star.sides.push_back(first);
+    const Point centre = middle_of(star.sides);
+    if (start_star(std::move(star), centre, centre)) return true;
   }
   return false;
 }
 
-bool Tour::start_star(std::span<const SideId> sides, Point from, Point to, SideId base) {
-  std::vector<Point> star;
-  for (const SideId s : sides) star.push_back(at(sides_.origin(s)));
-  const auto place = place_in_star(star, from, to);
-  if (!place) return false;
-  const std::vector<TriangleId> row = fan(add_point(*place, base), sides);
+bool Tour::start_star(PartStar star, Point from, Point towards) {
+  star.place = place_in_star(corners_of(sides_, star), from, towards);
+  if (!star.place) return false;
+  take(star);
+  const std::vector<TriangleId> row = fan(add_point(star, {kNone, kNone, kNone}), star.sides);
   link_all(row);
   link(row.back(), row.front());
   first_ = row.front();
-  for (const SideId s : sides) open_part(s);
   return true;
 }
 
@@ -221,17 +230,17 @@ void Tour::start_half(SideId base, std::vector<TriangleId>& row) {
     }
     row.push_back(add_item(corner, side));
   }
-  open_part(base);
+  taken_[sides_.part(base)] = 1;
+  waiting_.insert(waiting_.end(), chain.begin(), chain.end());
 }
 
 // ---- The other parts. ----
 
-/// The sides of a part that has been taken in wait for their turn.
-void Tour::open_part(SideId base) {
-  if (taken_[sides_.part(base)] != 0) return;
-  taken_[sides_.part(base)] = 1;
-  waiting_.push_back(base);
-  for (const SideId s : sides_.others(base)) waiting_.push_back(s);
+/// Marks the parts, takes in more of them, and lets the sides around them wait.
+void Tour::take(PartStar& star) {
+  for (const PartId part : star.parts) taken_[part] = 1;
+  grow_star(sides_, taken_, star);
+  waiting_.insert(waiting_.end(), star.sides.begin(), star.sides.end());
 }
 
 void Tour::take_in_all() {
@@ -257,17 +266,14 @@ void Tour::take_in(SideId side) {
   const VertexId u = old.corner[edge], v = old.corner[(edge + 1) % 3],
                  w = old.corner[(edge + 2) % 3];
   const SideId beyond = sides_.twin(side);
-  const std::vector<SideId> part = sides_.others(beyond);
+  PartStar star{sides_.others(beyond), {at(v), at(w)}, {sides_.part(beyond)}, {}};
+  star.place = place_in_star(corners_of(sides_, star), middle(at(u), at(v)), middle_of(star.sides));
+  if (!star.place) refuse(side);
+  take(star);
 
-  std::vector<Point> star;  // u ... v of the part, then w
-  for (const SideId s : part) star.push_back(at(sides_.origin(s)));
-  star.insert(star.end(), {at(v), at(w)});
-  const auto place = place_in_star(star, middle(at(u), at(v)), middle_of(part));
-  if (!place) refuse(side);
-
-  const VertexId s = add_point(*place, beyond);
+  const VertexId s = add_point(star, {w, u, v});
   std::vector<TriangleId> row = {add_item({w, u, s}, {old.side[(edge + 2) % 3], kNone, kNone})};
-  const std::vector<TriangleId> inside = fan(s, part);
+  const std::vector<TriangleId> inside = fan(s, star.sides);
   row.insert(row.end(), inside.begin(), inside.end());
   row.push_back(add_item({v, w, s}, {old.side[(edge + 1) % 3], kNone, kNone}));
 
@@ -275,7 +281,6 @@ void Tour::take_in(SideId side) {
                       (old.behind == kNone && old.before != kNone && has_edge(old.before, w, v));
   if (turned) std::reverse(row.begin(), row.end());
   replace(t, std::move(row));
-  open_part(beyond);
 }
 
 /// Triangles of the centre with sides that follow each other.
@@ -287,27 +292,24 @@ std::vector<TriangleId> Tour::fan(VertexId centre, std::span<const SideId> sides
   return row;
 }
 
-/// An added point at a side of its part; its attributes come from that side's ends and the part's corner
-/// that is farthest from it.
-VertexId Tour::add_point(Point p, SideId base) {
-  const Point from = at(sides_.origin(base)), to = at(sides_.target(base));
-  const auto height = [&](SideId s) {
-    const Point q = at(sides_.origin(s));
-    return (to.x - from.x) * (q.y - from.y) - (to.y - from.y) * (q.x - from.x);
+/// Its attributes come from the corners of a triangle that it is in: of a part of the star, else the one
+/// that was there.
+VertexId Tour::add_point(const PartStar& star, std::array<VertexId, 3> parents) {
+  const Point p = *star.place;
+  const auto holds = [&](VertexId a, VertexId b, VertexId c) {
+    return orient2d(at(a), at(b), at(c)) > 0 && orient2d(at(a), at(b), p) >= 0 &&
+           orient2d(at(b), at(c), p) >= 0 && orient2d(at(c), at(a), p) >= 0;
   };
-  const std::vector<SideId> others = sides_.others(base);
-  SideId farthest = *std::max_element(others.begin() + 1, others.end(),
-                                      [&](SideId s, SideId t) { return height(s) < height(t); });
-  if (orient2d(from, to, at(sides_.origin(farthest))) == 0) {  // heights that overflow or underflow
-    farthest = *std::find_if(others.begin() + 1, others.end(), [&](SideId s) {
-      return orient2d(from, to, at(sides_.origin(s))) != 0;
-    });
+  for (const PartId part : star.parts) {
+    const auto corners = decomposition_.parts.face(part);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      if (!holds(corners[0], corners[i - 1], corners[i])) continue;
+      parents = {corners[0], corners[i - 1], corners[i]};
+    }
   }
   const auto vertex = static_cast<VertexId>(points_.size());
   points_.push_back(p);
-  steiner_.push_back({vertex,
-                      SteinerKind::kInner,
-                      {sides_.origin(base), sides_.target(base), sides_.origin(farthest)}});
+  steiner_.push_back({vertex, SteinerKind::kInner, parents});
   return vertex;
 }
 
@@ -376,6 +378,19 @@ PolygonOrder Tour::finish(OrderKind order) {
   return out;
 }
 
+/// The better of a path from the start and a cycle cut open.
+PolygonOrder best_path(const ConvexDecomposition& decomposition) {
+  std::optional<PolygonOrder> path = Tour(decomposition).from_path();
+  if (path && path->steiner.empty()) return std::move(*path);
+  try {
+    PolygonOrder cycle = Tour(decomposition).from_cycle(OrderKind::kPath);
+    if (!path || cycle.steiner.size() < path->steiner.size()) return cycle;
+  } catch (const Error& e) {
+    if (!path || e.code() != ErrorCode::kGuarantee) throw;
+  }
+  return std::move(*path);
+}
+
 }  // namespace
 }  // namespace strips
 
@@ -385,7 +400,9 @@ PolygonOrder hamiltonian_triangulation_with_points(const Polygon& polygon, Order
     throw Error(ErrorCode::kBadOption,
                 "points are added for paths and cycles, not for sequential triangulations");
   }
-  return strips::Tour(convex_decomposition(polygon, options)).make(order);
+  ConvexDecomposition parts = convex_decomposition(polygon, options);
+  if (order == OrderKind::kPath) return strips::best_path(parts);
+  return strips::Tour(std::move(parts)).from_cycle(order);
 }
 
 }  // namespace quadloom
