@@ -15,6 +15,7 @@ namespace quadloom::app {
 namespace {
 
 using Ends = std::pair<VertexId, VertexId>;
+using TrianglePairs = std::span<const std::array<TriangleId, 2>>;
 
 Ends sorted(VertexId a, VertexId b) { return std::minmax(a, b); }
 
@@ -94,16 +95,22 @@ void carry_vertex_data(const SourceMesh& source, const TriangleResult& result, i
 
 // The source faces of each face of the result, quads first; kNone where there is no second one.
 std::vector<std::array<std::uint32_t, 2>> face_sources(const SourceMesh& source,
-                                                       const TriangleResult& result) {
+                                                       const TriangleResult& result,
+                                                       TrianglePairs triangle_sources) {
   std::vector<std::array<std::uint32_t, 2>> out;
   out.reserve(result.quad_source.size() + result.triangle_source.size());
   const auto face = [&](TriangleId t) { return t == kNone ? kNone : source.source_face[t]; };
-  for (const auto& [first, second] : result.quad_source) {
-    std::array<std::uint32_t, 2> faces = {face(first), face(second)};
-    if (faces[0] == kNone) std::swap(faces[0], faces[1]);
-    if (faces[1] == faces[0]) faces[1] = kNone;
-    out.push_back(faces);
-  }
+  const auto add = [&](TrianglePairs pairs) {
+    for (const auto& [first, second] : pairs) {
+      std::array<std::uint32_t, 2> faces = {face(first), face(second)};
+      if (faces[0] == kNone) std::swap(faces[0], faces[1]);
+      if (faces[1] == faces[0]) faces[1] = kNone;
+      out.push_back(faces);
+    }
+  };
+  add(result.quad_source);
+  add(triangle_sources);
+  if (!triangle_sources.empty()) return out;
   for (const TriangleId t : result.triangle_source) out.push_back({face(t), kNone});
   return out;
 }
@@ -116,8 +123,9 @@ double carried_value(const std::vector<double>& values, const std::array<std::ui
   return first == second ? first : first / 2 + second / 2;
 }
 
-void carry_face_data(const SourceMesh& source, const TriangleResult& result, io::MeshFile& out) {
-  const auto faces = face_sources(source, result);
+void carry_face_data(const SourceMesh& source, const TriangleResult& result,
+                     TrianglePairs triangle_sources, io::MeshFile& out) {
+  const auto faces = face_sources(source, result, triangle_sources);
   for (const auto& [name, values] : source.face_data) {
     if (is_ours(name)) continue;
     io::Attribute& data = out.face_data.emplace_back(io::Attribute{name, {}});
@@ -191,11 +199,12 @@ double shape_in_space(const PolygonMesh& mesh, std::span<const double> z, std::s
   return quad_shape(seen[0], seen[1], seen[2], seen[3]);
 }
 
-io::MeshFile carry_data(const SourceMesh& source, const TriangleResult& result) {
+io::MeshFile carry_data(const SourceMesh& source, const TriangleResult& result,
+                        TrianglePairs triangle_sources) {
   io::MeshFile out;
   out.mesh = to_polygon_mesh(result.mesh);
   carry_vertex_data(source, result, out);
-  carry_face_data(source, result, out);
+  carry_face_data(source, result, triangle_sources, out);
   add_shape(result, out);
   carry_lines(source, result, out);
   return out;

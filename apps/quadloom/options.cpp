@@ -172,6 +172,24 @@ void add_connecting(CLI::App& verb, ConnectOptions& o) {
       ->group(kGroup);
 }
 
+void add_mesh_reading(CLI::App& verb, MeshReading& reading, double& keep_angle) {
+  constexpr const char* kGroup = "Meshes and polygons";
+  const auto word = [&](const char* flag, std::string& value, const char* type, const char* help) {
+    verb.add_option(flag, value, help)->type_name(type)->capture_default_str()->group(kGroup);
+  };
+  word("--regions", reading.regions, "auto|none|NAME",
+       "Numbers of the faces that new faces never mix; auto: region, physical, material, part, "
+       "attribute0, or the parts of polygons");
+  word("--keep", reading.keep, "lines|none|FILE",
+       "Edges that stay: the lines in the file of the mesh, or those of another file (.geojson, "
+       ".poly) along edges of the mesh");
+  add_number(verb, "--keep-angle", keep_angle, 0, 180,
+             "Surfaces: keep edges where the faces turn by more degrees than this")
+      ->default_str("")
+      ->group(kGroup);
+  add_connecting(verb, reading.connect);
+}
+
 CLI::Option* add_odd_boundary(CLI::App& verb, OddBoundary& odd_boundary) {
   return add_choice(
       verb, "--odd-boundary", odd_boundary, kOddBoundaries,

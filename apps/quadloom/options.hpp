@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input_kind.hpp"
+#include "mesh_input.hpp"
 #include "quadloom/convex.hpp"
 #include "quadloom/io.hpp"
 #include "quadloom/quadrangulate.hpp"
@@ -50,6 +51,8 @@ CLI::Option* add_odd_boundary(CLI::App& verb, OddBoundary& odd_boundary);
 void add_conversion(CLI::App& verb, TriangleOptions& options);
 /// How meshes are taken: --space, --faulty, --merge-vertices.
 void add_connecting(CLI::App& verb, ConnectOptions& options);
+/// These, and what stays of meshes and polygons: --regions, --keep, --keep-angle.
+void add_mesh_reading(CLI::App& verb, MeshReading& reading, double& keep_angle);
 void add_space(CLI::App& verb, Space& space, const std::string& help);
 
 /// The method of that name for the kind of input. Throws Error kBadOption, which lists those there are.

@@ -131,17 +131,7 @@ void add_mesh_options(CLI::App& verb, QuadrangulateOptions& o) {
        "pair: what the pairs have most of; NAME: numbers of the vertices, an edge goes the sooner "
        "the "
        "greater their mean is at its ends");
-  word("--regions", o.mesh.reading.regions, "auto|none|NAME",
-       "Numbers of the faces that quads never mix; auto: region, physical, material, part, "
-       "attribute0, or the parts of polygons");
-  word("--keep", o.mesh.reading.keep, "lines|none|FILE",
-       "Edges that stay: the lines in the file of the mesh, or those of another file (.geojson, "
-       ".poly) along edges of the mesh");
-  add_number(verb, "--keep-angle", o.keep_angle, 0, 180,
-             "Surfaces: keep edges where the faces turn by more degrees than this")
-      ->default_str("")
-      ->group(kGroup);
-  add_connecting(verb, o.mesh.reading.connect);
+  add_mesh_reading(verb, o.mesh.reading, o.keep_angle);
 }
 
 constexpr const char* kFooter =

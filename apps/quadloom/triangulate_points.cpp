@@ -1,4 +1,6 @@
 // quadloom triangulate for points.
+#include <fmt/format.h>
+
 #include "elevation.hpp"
 #include "facts.hpp"
 #include "progress_bar.hpp"
@@ -34,6 +36,29 @@ Result make_cycle(const TriangulateOptions& o, std::span<const Point> points) {
           "; --kind hamiltonian-path makes a path");
 }
 
+/// Where there is none, or none was found, that is the answer.
+Result make_sequential(const TriangulateOptions& o, std::span<const Point> points) {
+  ProgressBar bar;
+  SequentialOptions making;
+  if (o.limit) making.work_at_most = *o.limit;
+  making.progress = bar.callback();
+  SequentialResult made = sequential_triangulation(points, making);
+  if (made.answer == Answer::kYes) {
+    return {std::move(made.mesh), std::move(made.input_to_vertex), OrderKind::kSequential};
+  }
+  if (made.answer == Answer::kNo) {
+    throw Error(ErrorCode::kGuarantee, "none: no triangulation of these points is sequential");
+  }
+  throw Error(ErrorCode::kGuarantee,
+              made.work == 0
+                  ? fmt::format("unknown: {} are inside the hull; with more than two a sequential "
+                                "triangulation is searched for up to 32 points",
+                                counted(made.inner_points, "point"))
+                  : fmt::format("unknown: in {} steps no sequential triangulation was found, nor "
+                                "that there is none; --limit allows more",
+                                made.work));
+}
+
 Result make(const TriangulateOptions& o, std::span<const Point> points) {
   switch (o.kind) {
     case TriangulationKind::kDelaunay: {
@@ -47,10 +72,10 @@ Result make(const TriangulateOptions& o, std::span<const Point> points) {
     }
     case TriangulationKind::kHamiltonianCycle:
       return make_cycle(o, points);
-    default:
-      no_such_kind(o.kind, "points",
-                   "delaunay, hamiltonian-path, hamiltonian-cycle and serpentine");
+    case TriangulationKind::kSequential:
+      break;
   }
+  return make_sequential(o, points);
 }
 
 }  // namespace
