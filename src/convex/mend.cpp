@@ -6,8 +6,8 @@
 //                    with random preferences among partings with as few bad quads: so bad quads wander
 //                    until they meet, or come to a place where there is a way out
 //   3. walk          bad quads are taken apart, and their triangles walk to each other through strictly
-//                    convex quads alone; those that do not meet become bad quads again. Steps 2 and 3
-//                    take turns: wandering opens ways that were locked.
+//                    convex quads alone (mend_walk.hpp); those that do not meet become bad quads again. Steps 2
+//                    and 3 take turns: wandering opens ways that were locked.
 //   4. add_stars     for each that is left the best of many clusters with one added point
 //   5. add_cases     for what is left after that the union with a neighbour, as in the paper's cases: at most
 //                    three points (Bremner, Hurtado, Ramaswami and Sacristan, theorem 3.8)
@@ -15,7 +15,8 @@
 //                    around poor quads parted better, and the added points moved, all without a quad that is
 //                    not strictly convex
 //
-// The work of steps 2 and 3 is limited by the size of the mesh; on small meshes they run long.
+// The work of steps 2 and 3 is limited by the size of the mesh; on small meshes they run long. After find_bad
+// all costs what there is to mend, not what the mesh has.
 // Degenerate input: flat corners count as bad, decided exactly; rows of collinear points lock many quads. A
 // quad for which no double is found stays and is counted.
 #include "convex/mend.hpp"
@@ -26,14 +27,13 @@
 
 #include "convex/best_parting.hpp"
 #include "convex/hexagon.hpp"
+#include "convex/mend_walk.hpp"
 #include "convex/polish.hpp"
 #include "convex/price.hpp"
 #include "convex/quad.hpp"
 #include "core/random.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "quadrangulate/diagonal_slides.hpp"
-#include "quadrangulate/steiner_crossing.hpp"
-#include "quadrangulate/walk_rounds.hpp"
 
 namespace quadloom::convex {
 
@@ -42,8 +42,6 @@ using quadrangulate::PairedMesh;
 using quadrangulate::quad_behind;
 using quadrangulate::QuadBehind;
 using quadrangulate::QuadKind;
-using quadrangulate::WalkLimits;
-using quadrangulate::WalkQuads;
 
 namespace {
 
@@ -62,12 +60,6 @@ constexpr std::size_t kLargestStar = 5;
 constexpr int kStarTries = 60;               // clusters looked at for each star
 constexpr std::size_t kLeastWork = 300'000;  // clusters looked at, or a quarter of the triangles
 
-constexpr WalkLimits kConvexRounds[] = {
-    {WalkQuads::kStrictlyConvex, 100},
-    {WalkQuads::kStrictlyConvex, 1'000},
-    {WalkQuads::kStrictlyConvex, 4'000, 2},
-    {WalkQuads::kStrictlyConvex, 20'000, 4},
-};
 class Mender {
  public:
   Mender(PairedMesh& mesh, std::uint64_t seed, std::vector<SteinerPoint>& steiner,
@@ -75,6 +67,7 @@ class Mender {
       : mesh_(mesh),
         random_(seed),
         grower_(mesh),
+        walker_(mesh, [this](std::span<const TriangleId> changed) { touch(changed); }),
         steiner_(steiner),
         progress_(progress),
         improve_(improve) {}
@@ -86,7 +79,8 @@ class Mender {
     move();
     statistics_.bad_after_moves = bad_.size();
     slide();
-    for (int round = 0; round < 3 && !bad_.empty(); ++round) add_stars();
+    report_progress(progress_, "stars", 0);
+    for (int round = 0; round < 6 && !bad_.empty(); ++round) add_stars();
     add_cases();
     statistics_.left = bad_.size();
     improve();
@@ -101,6 +95,7 @@ class Mender {
   }
   bool is_bad(TriangleId t) const;
   void find_bad();
+  void find_bad(std::span<const TriangleId> changed);
   void note_bad(std::span<const TriangleId> triangles, std::vector<TriangleId>& list) const;
   bool grow(TriangleId t, std::size_t quads);
   std::vector<Point> polygon() const;
@@ -122,6 +117,7 @@ class Mender {
   PairedMesh& mesh_;
   Random random_;
   ClusterGrower grower_;
+  MendWalker walker_;
   std::vector<SteinerPoint>& steiner_;
   const Progress& progress_;
   const Improve improve_;
@@ -145,6 +141,18 @@ void Mender::find_bad() {
   for (TriangleId t = 0; t < mesh_.mate.size(); ++t) {
     if (!mesh_.is_free(t) && name_of_quad(t) == t && is_bad(t)) bad_.push_back(t);
   }
+}
+
+/// The same if only the quads of these triangles may be bad, or those that have been.
+void Mender::find_bad(std::span<const TriangleId> changed) {
+  std::vector<TriangleId> next;
+  note_bad(bad_, next);
+  for (const TriangleId t : changed) {
+    if (!mesh_.is_free(t) && is_bad(t)) next.push_back(name_of_quad(t));
+  }
+  std::sort(next.begin(), next.end());
+  next.erase(std::unique(next.begin(), next.end()), next.end());
+  bad_ = std::move(next);
 }
 
 void Mender::note_bad(std::span<const TriangleId> triangles, std::vector<TriangleId>& list) const {
@@ -252,20 +260,13 @@ void Mender::wander(Wish wish) {
 }
 
 void Mender::walk() {
-  for (const TriangleId t : bad_) {
-    if (is_bad(t)) mesh_.unpair(t);
-  }
-  quadrangulate::Walker walker(mesh_);
-  walker.on_recut = [this](std::span<const TriangleId> triangles) { touch(triangles); };
-  quadrangulate::walk_together(walker, mesh_, kConvexRounds, {});
-  quadrangulate::walk_together(walker, mesh_, quadrangulate::kLastCorridorRounds, {});
-  // In corridors a walk can be stuck; the steps of crossings that need no point go on.
-  quadrangulate::SteinerCrossing crossing(mesh_);
-  for (const TriangleId t : quadrangulate::free_triangles(mesh_)) {
-    if (mesh_.is_free(t)) crossing.merge(t);
-  }
-  steiner_.insert(steiner_.end(), crossing.points().begin(), crossing.points().end());
-  find_bad();
+  std::vector<TriangleId> apart;
+  note_bad(bad_, apart);
+  const std::size_t crossings = walker_.points().size();
+  find_bad(walker_.walk(apart));
+  steiner_.insert(steiner_.end(), walker_.points().begin() + static_cast<std::ptrdiff_t>(crossings),
+                  walker_.points().end());
+  if (walker_.crossed()) find_bad();
 }
 
 void Mender::add_stars() {
@@ -390,11 +391,12 @@ bool Mender::add_case(TriangleId t) {
 
 void Mender::slide() {
   if (improve_ == Improve::kTouched) return;
-  quadrangulate::slide_diagonals(mesh_);
-  find_bad();  // a slide renames quads
+  quadrangulate::slide_diagonals_at(mesh_, touched_);
+  find_bad(touched_);  // a slide renames quads
 }
 
 void Mender::improve() {
+  report_progress(progress_, "polishing", 0);
   slide();
   polish_quads(mesh_, std::move(touched_), random_);
   smooth_points(mesh_, steiner_);

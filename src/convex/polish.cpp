@@ -21,8 +21,9 @@ namespace {
 
 constexpr double kPoor = 0.25;  // squareness; about 68% of random quads are better
 constexpr int kRounds = 3;
-constexpr int kTries = 6;
-constexpr std::size_t kLargest = 6;  // quads of a cluster
+constexpr std::size_t kMostTries = 6;
+constexpr std::size_t kClusters = 40'000;  // looked at in the first round, about
+constexpr std::size_t kLargest = 6;        // quads of a cluster
 constexpr double kLeastGain = 1e-6;
 
 constexpr int kSteps = 16;  // of a vertex, each half as long or a move
@@ -56,8 +57,10 @@ void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& r
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     std::vector<TriangleId> touched;
+    const std::size_t tries =
+        std::clamp<std::size_t>(kClusters / (triangles.size() + 1), 1, kMostTries);
     for (const TriangleId t : triangles) {
-      for (int i = 0; i < kTries && !mesh.is_free(t); ++i) {
+      for (std::size_t i = 0; i < tries && !mesh.is_free(t); ++i) {
         const double shape = shape_of(mesh, corners_of(mesh, t));
         if (shape < 0 || shape > kPoor) break;
         grower.start(t);
@@ -89,11 +92,14 @@ class Smoother {
     for (const SteinerPoint& s : points) {
       for (const VertexId parent : s.parents) quads_.erase(parent);
     }
+    VertexId first = kNone;  // added points come last
+    for (const auto& [v, quads] : quads_) first = std::min(first, v);
     for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
       const HalfedgeId h = mesh.mate[t];
       if (h == kNone || mesh.tri.twin[h] < h) continue;
       const auto corner = corners_of(mesh, t);
       for (const VertexId v : corner) {
+        if (v < first) continue;
         if (const auto at = quads_.find(v); at != quads_.end()) at->second.push_back(corner);
       }
     }
