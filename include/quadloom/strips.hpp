@@ -58,7 +58,7 @@ HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
                                                   const HamiltonianOptions& options = {});
 
 struct SequentialOptions {
-  std::uint64_t work_at_most = 100'000'000;  // triangles tried; some ten seconds
+  std::uint64_t work_at_most = 100'000'000;  // triangles tried; up to half a minute
   Progress progress = {};
 };
 
