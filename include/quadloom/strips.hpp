@@ -153,8 +153,8 @@ ConvexDecomposition convex_decomposition(const Polygon& polygon,
 
 /// A triangulation of a polygon, holes allowed, whose triangles are a path or a cycle, with added points
 /// inside (Arkin, Held, Mitchell and Skiena, theorem 2.3). From a decomposition into k > 1 convex parts: at
-/// most k - 1 points for a cycle, k - 2 for a path, which some polygons need; most need fewer, and a point
-/// that sees several parts saves some. A convex polygon has a path without points and a cycle with one.
+/// most k - 1 points for a cycle, k - 2 for a path, which some polygons need; a point that sees several parts
+/// saves some. A convex polygon has a path without points and a cycle with one.
 ///
 /// Flat corners may cost one point more, as they must: a cycle has up to k points if at each common side of
 /// two parts one of them goes straight on at one end and the other at the other end, a path up to k - 1 if
