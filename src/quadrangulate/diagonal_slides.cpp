@@ -110,7 +110,6 @@ class Slider {
     }
     return slides_;
   }
-  const std::vector<TriangleId>& touched() const { return touched_; }
 
  private:
   float worth_of(TriangleId t) {
@@ -162,7 +161,6 @@ class Slider {
     if (parting == 0) return;
     part_anew(mesh_, hexagon, parting);
     ++slides_;
-    touched_.insert(touched_.end(), hexagon.slot.begin(), hexagon.slot.end());
     for (const TriangleId touched : hexagon.slot) worth_[touched] = kUnknown;
     for (const TriangleId touched : hexagon.slot) wait(touched);
   }
@@ -171,7 +169,6 @@ class Slider {
   std::vector<float> worth_;  // of the triangle's quad
   std::vector<char> waiting_;
   std::vector<TriangleId> todo_;
-  std::vector<TriangleId> touched_;  // by slides
   std::size_t slides_ = 0;
 };
 
@@ -207,12 +204,10 @@ std::size_t slide_diagonals(PairedMesh& mesh) {
   return slider.run();
 }
 
-std::size_t slide_diagonals_at(PairedMesh& mesh, std::vector<TriangleId>& triangles) {
+std::size_t slide_diagonals(PairedMesh& mesh, std::span<const TriangleId> triangles) {
   Slider slider(mesh);
   for (const TriangleId t : triangles) slider.find_poor(t);
-  const std::size_t slides = slider.run();
-  triangles.insert(triangles.end(), slider.touched().begin(), slider.touched().end());
-  return slides;
+  return slider.run();
 }
 
 }  // namespace quadloom::quadrangulate

@@ -10,8 +10,7 @@
 namespace quadloom::strips {
 namespace {
 
-constexpr int kHalvings = 60;               // beyond, the doubles are those at `from`
-constexpr std::size_t kMostExactly = 1000;  // sides; the exact search is quadratic
+constexpr int kHalvings = 60;  // beyond, the doubles are those at `from`
 
 bool sees_all(std::span<const Point> star, Point p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
@@ -42,7 +41,7 @@ std::optional<Point> place_in_star(std::span<const Point> star, Point from, Poin
     const Point p{from.x * (1 - f) + to.x * f, from.y * (1 - f) + to.y * f};
     if (sees_all(star, p)) return p;
   }
-  return star.size() <= kMostExactly ? place_exactly(star) : std::nullopt;
+  return place_exactly(star);
 }
 
 }  // namespace quadloom::strips
