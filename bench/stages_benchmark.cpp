@@ -55,6 +55,18 @@ void pairing_stage(benchmark::State& state, const std::vector<Point>& points) {
   state.counters["unmatched"] = static_cast<double>(unmatched);
 }
 
+template <Splitter kSplitter>
+void cycle_stage(benchmark::State& state, const std::vector<Point>& points) {
+  HamiltonianResult result;
+  for (auto _ : state) result = hamiltonian_cycle_triangulation(points, {.splitter = kSplitter});
+  state.counters["cycle"] = result.order == OrderKind::kCycle ? 1 : 0;
+  state.counters["levels"] = static_cast<double>(result.statistics.levels);
+}
+
+void spiral_polygon_stage(benchmark::State& state, const std::vector<Point>& points) {
+  for (auto _ : state) benchmark::DoNotOptimize(spiral_polygon(points));
+}
+
 void certify_stage(benchmark::State& state, const std::vector<Point>& points) {
   const PolygonMesh mesh = to_polygon_mesh(quadrangulate_points(points).mesh);
   for (auto _ : state) {
@@ -102,6 +114,9 @@ int main(int argc, char** argv) {
   add_rows("method_spiral", method_stage<PointMethod::kSpiral>, kinds);
   add_rows("method_insertion", method_stage<PointMethod::kInsertion>, kinds);
   add_rows("method_subdivide", method_stage<PointMethod::kSubdivide>, kinds);
+  add_rows("hamiltonian_cycle_random", cycle_stage<Splitter::kRandom>, kinds);
+  add_rows("hamiltonian_cycle_balanced", cycle_stage<Splitter::kBalanced>, kinds);
+  add_rows("spiral_polygon", spiral_polygon_stage, kinds);
   add_rows("certify_points", certify_stage, kinds);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

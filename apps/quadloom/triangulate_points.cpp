@@ -29,11 +29,11 @@ Result make_cycle(const TriangulateOptions& o, std::span<const Point> points) {
     return {std::move(made.mesh), std::move(made.input_to_vertex), OrderKind::kCycle};
   }
   const bool none_inside = made.statistics.hull_points == made.mesh.points.size();
-  throw Error(
-      ErrorCode::kGuarantee,
-      std::string(none_inside ? "none: without a point inside the hull no triangulation is a cycle"
-                              : "no cycle of triangles was found: too many points are on lines") +
-          "; --kind hamiltonian-path makes a path");
+  const std::string why =
+      none_inside ? "none: without a point inside the hull no triangulation is a cycle"
+      : made.cycle == Answer::kNo ? "none: no triangulation of these points is a cycle of triangles"
+                                  : "no cycle of triangles was found: too many points are on lines";
+  throw Error(ErrorCode::kGuarantee, why + "; --kind hamiltonian-path makes a path");
 }
 
 /// Where there is none, or none was found, that is the answer.

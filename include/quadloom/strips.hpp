@@ -26,35 +26,39 @@ enum class Splitter {
 struct HamiltonianOptions {
   Splitter splitter = Splitter::kRandom;  // about two thirds of the time of the other
   std::uint64_t seed = 1;                 // same seed, same triangles
+  std::size_t work_at_most = 10'000'000;  // triangles tried where a search is needed, of up to 16
+                                          // points; a second or two
   Progress progress = {};
 };
 
 /// What a run did, for reports; 0 in a path.
 struct HamiltonianStatistics {
   std::size_t hull_points = 0;  ///< points on the hull, those inside its edges included
-  std::size_t centres = 0;  ///< inner points that are joined to hull points; 1 in general position
-  std::size_t levels = 0;   ///< how deeply split triangles are nested
+  std::size_t centres = 0;    ///< inner points joined to hull points; 1 in general position, 0: the
+                              ///< cycle was found by search
+  std::size_t levels = 0;     ///< how deeply split triangles are nested
   std::size_t locations = 0;  ///< how often a point was looked for in the parts of a triangle
   std::size_t chains = 0;     ///< splitters that came with others on their line
 };
 
 struct HamiltonianResult {
-  Triangulation mesh;                     ///< triangles in order, each beside the one before
-  OrderKind order = OrderKind::kPath;     ///< kCycle or kPath
+  Triangulation mesh;                  ///< triangles in order, each beside the one before
+  OrderKind order = OrderKind::kPath;  ///< kCycle or kPath
+  Answer cycle = Answer::kUnknown;     ///< has the set such a cycle? kYes: here it is; kNo: proved
   std::vector<VertexId> input_to_vertex;  ///< duplicates merged
   HamiltonianStatistics statistics;
 };
 
 /// A triangulation of the points whose triangles are in the order of a cycle (Arkin, Held, Mitchell and
 /// Skiena, theorem 3.1); or of a path, where no point is inside the hull, or where points are on so
-/// many lines that no cycle was found (of some sets there is none). 2n - 2 - h triangles. Throws Error
-/// kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled. The bounds of Splitter hold for
+/// many lines that no cycle was found. Up to 16 points that is a proof that there is none, unless the
+/// work runs out. 2n - 2 - h triangles. Throws Error kNotFinite, kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled. The bounds of Splitter hold for
 /// points in general position; what many points on lines cost, see docs/algorithms/hamiltonian.md.
 HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
                                                   const HamiltonianOptions& options = {});
 
 struct SequentialOptions {
-  std::uint64_t work_at_most = 100'000'000;  // triangles tried; some ten seconds
+  std::uint64_t work_at_most = 100'000'000;  // triangles tried; up to half a minute
   Progress progress = {};
 };
 
@@ -149,8 +153,8 @@ ConvexDecomposition convex_decomposition(const Polygon& polygon,
 
 /// A triangulation of a polygon, holes allowed, whose triangles are a path or a cycle, with added points
 /// inside (Arkin, Held, Mitchell and Skiena, theorem 2.3). From a decomposition into k > 1 convex parts: at
-/// most k - 1 points for a cycle, k - 2 for a path, which some polygons need; most need fewer, and a point
-/// that sees several parts saves some. A convex polygon has a path without points and a cycle with one.
+/// most k - 1 points for a cycle, k - 2 for a path, which some polygons need; a point that sees several parts
+/// saves some. A convex polygon has a path without points and a cycle with one.
 ///
 /// Flat corners may cost one point more, as they must: a cycle has up to k points if at each common side of
 /// two parts one of them goes straight on at one end and the other at the other end, a path up to k - 1 if

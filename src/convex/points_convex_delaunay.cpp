@@ -32,6 +32,7 @@ std::optional<ConvexResult> convex_delaunay_quadrangulation(kernel::DelaunayInOr
   if (quads->steiner) result.steiner.push_back(*quads->steiner);
   result.statistics.mending =
       mend_quads(quads->mesh, options.seed, result.steiner, options.progress, Improve::kAll);
+  report_progress(options.progress, "numbering", 0);
   result.statistics.hull_points = quads->statistics.hull_points;
   result.input_vertices = quads->input_vertices;
   for (SteinerPoint& s : result.steiner) s = quads->order.given(s);

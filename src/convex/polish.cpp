@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <unordered_map>
 
 #include "convex/best_parting.hpp"
@@ -22,8 +21,9 @@ namespace {
 
 constexpr double kPoor = 0.25;  // squareness; about 68% of random quads are better
 constexpr int kRounds = 3;
-constexpr int kTries = 6;
-constexpr std::size_t kLargest = 6;  // quads of a cluster
+constexpr std::size_t kMostTries = 6;
+constexpr std::size_t kClusters = 40'000;  // looked at in the first round, about
+constexpr std::size_t kLargest = 6;        // quads of a cluster
 constexpr double kLeastGain = 1e-6;
 
 constexpr int kSteps = 16;  // of a vertex, each half as long or a move
@@ -53,13 +53,14 @@ double cost_of(const PairedMesh& mesh, const Cluster& cluster) {
 
 void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& random) {
   ClusterGrower grower(mesh);
-  std::vector<TriangleId> none_spare;  // counts stay
   for (int round = 0; round < kRounds; ++round) {
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     std::vector<TriangleId> touched;
+    const std::size_t tries =
+        std::clamp<std::size_t>(kClusters / (triangles.size() + 1), 1, kMostTries);
     for (const TriangleId t : triangles) {
-      for (int i = 0; i < kTries && !mesh.is_free(t); ++i) {
+      for (std::size_t i = 0; i < tries && !mesh.is_free(t); ++i) {
         const double shape = shape_of(mesh, corners_of(mesh, t));
         if (shape < 0 || shape > kPoor) break;
         grower.start(t);
@@ -71,7 +72,7 @@ void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& r
         const double now = cost_of(mesh, grower.cluster());
         const auto parting = best_parting(polygon, now - kLeastGain, Stars::kNone, price);
         if (!parting) continue;
-        part_cluster(mesh, grower.cluster(), parting->quads, {}, none_spare);
+        part_cluster(mesh, grower.cluster(), parting->quads, {});
         const auto& slot = grower.cluster().slot;
         touched.insert(touched.end(), slot.begin(), slot.end());
       }
@@ -88,17 +89,24 @@ class Smoother {
     for (const SteinerPoint& s : points) {
       if (s.kind == SteinerKind::kInner) quads_[s.vertex] = {};
     }
+    for (const SteinerPoint& s : points) {
+      for (const VertexId parent : s.parents) quads_.erase(parent);
+    }
+    VertexId first = kNone;  // added points come last
+    for (const auto& [v, quads] : quads_) first = std::min(first, v);
     for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
       const HalfedgeId h = mesh.mate[t];
       if (h == kNone || mesh.tri.twin[h] < h) continue;
       const auto corner = corners_of(mesh, t);
       for (const VertexId v : corner) {
+        if (v < first) continue;
         if (const auto at = quads_.find(v); at != quads_.end()) at->second.push_back(corner);
       }
     }
   }
 
-  void smooth(VertexId v) {
+  void smooth(const SteinerPoint& s) {
+    const VertexId v = s.vertex;
     const auto at = quads_.find(v);
     if (at == quads_.end()) return;
     const Quads& quads = at->second;
@@ -119,7 +127,7 @@ class Smoother {
       Point best = from;
       for (const Point d : kDirections) {
         const Point to{from.x + step * d.x, from.y + step * d.y};
-        if (!std::isfinite(to.x) || !std::isfinite(to.y)) continue;
+        if (!std::isfinite(to.x) || !std::isfinite(to.y) || !between_parents(s, to)) continue;
         mesh_.tri.points[v] = to;
         const double now = worst_of(quads);
         if (now <= worst) continue;
@@ -131,10 +139,16 @@ class Smoother {
     }
   }
 
-  std::array<VertexId, 3> parents_of(VertexId v) const;
-
  private:
   using Quads = std::vector<std::array<VertexId, 4>>;
+
+  bool between_parents(const SteinerPoint& s, Point p) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point a = mesh_.point(s.parents[k]), b = mesh_.point(s.parents[(k + 1) % 3]);
+      if (kernel::orient(a, b, p) < 0) return false;
+    }
+    return true;
+  }
 
   double worst_of(const Quads& quads) const {
     double worst = 1;
@@ -156,61 +170,13 @@ class Smoother {
   std::unordered_map<VertexId, Quads> quads_;
 };
 
-/// The largest triangle of some of the vertices that the point is in; none if there is none.
-std::optional<std::array<VertexId, 3>> largest_around(const PairedMesh& mesh, Point s,
-                                                      std::span<const VertexId> vertex) {
-  std::optional<std::array<VertexId, 3>> best;
-  double largest = -1;
-  const auto consider = [&](VertexId a, VertexId b, VertexId c) {
-    const Point p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
-    if (kernel::orient(p, q, s) < 0 || kernel::orient(q, r, s) < 0 || kernel::orient(r, p, s) < 0) {
-      return;
-    }
-    const double area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-    if (area <= largest || kernel::orient(p, q, r) <= 0) return;
-    largest = area;
-    best = {a, b, c};
-  };
-  for (std::size_t k = 2; k < vertex.size(); ++k) {
-    for (std::size_t j = 1; j < k; ++j) {
-      for (std::size_t i = 0; i < j; ++i) {
-        consider(vertex[i], vertex[j], vertex[k]);
-        consider(vertex[i], vertex[k], vertex[j]);
-      }
-    }
-  }
-  return best;
-}
-
-/// A triangle of vertices that are no such points, as near as there is one: corners of the quads around, and
-/// where those are points themselves, of the quads around them. They have it between them, since they
-/// surround them.
-std::array<VertexId, 3> Smoother::parents_of(VertexId v) const {
-  std::vector<VertexId> points = {v}, around;
-  for (std::size_t i = 0; i < points.size();) {
-    for (const std::size_t end = points.size(); i < end; ++i) {
-      for (const auto& quad : quads_.at(points[i])) {
-        for (const VertexId w : quad) {
-          auto& list = quads_.contains(w) ? points : around;
-          if (std::find(list.begin(), list.end(), w) == list.end()) list.push_back(w);
-        }
-      }
-    }
-    if (const auto parents = largest_around(mesh_, mesh_.point(v), around)) return *parents;
-  }
-  return {kNone, kNone, kNone};
-}
-
 }  // namespace
 
-void smooth_points(PairedMesh& mesh, std::span<SteinerPoint> points) {
+void smooth_points(PairedMesh& mesh, std::span<const SteinerPoint> points) {
   if (points.empty()) return;
   Smoother smoother(mesh, points);
   for (int round = 0; round < 2; ++round) {
-    for (const SteinerPoint& s : points) smoother.smooth(s.vertex);
-  }
-  for (SteinerPoint& s : points) {
-    if (s.kind == SteinerKind::kInner) s.parents = smoother.parents_of(s.vertex);
+    for (const SteinerPoint& s : points) smoother.smooth(s);
   }
 }
 

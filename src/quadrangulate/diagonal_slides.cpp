@@ -110,6 +110,7 @@ class Slider {
     }
     return slides_;
   }
+  const std::vector<TriangleId>& touched() const { return touched_; }
 
  private:
   float worth_of(TriangleId t) {
@@ -161,6 +162,7 @@ class Slider {
     if (parting == 0) return;
     part_anew(mesh_, hexagon, parting);
     ++slides_;
+    touched_.insert(touched_.end(), hexagon.slot.begin(), hexagon.slot.end());
     for (const TriangleId touched : hexagon.slot) worth_[touched] = kUnknown;
     for (const TriangleId touched : hexagon.slot) wait(touched);
   }
@@ -169,6 +171,7 @@ class Slider {
   std::vector<float> worth_;  // of the triangle's quad
   std::vector<char> waiting_;
   std::vector<TriangleId> todo_;
+  std::vector<TriangleId> touched_;  // by slides
   std::size_t slides_ = 0;
 };
 
@@ -204,10 +207,12 @@ std::size_t slide_diagonals(PairedMesh& mesh) {
   return slider.run();
 }
 
-std::size_t slide_diagonals(PairedMesh& mesh, std::span<const TriangleId> triangles) {
+std::size_t slide_diagonals_at(PairedMesh& mesh, std::vector<TriangleId>& triangles) {
   Slider slider(mesh);
   for (const TriangleId t : triangles) slider.find_poor(t);
-  return slider.run();
+  const std::size_t slides = slider.run();
+  triangles.insert(triangles.end(), slider.touched().begin(), slider.touched().end());
+  return slides;
 }
 
 }  // namespace quadloom::quadrangulate

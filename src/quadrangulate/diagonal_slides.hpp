@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <vector>
 
 #include "quadrangulate/paired_mesh.hpp"
 
@@ -33,7 +33,7 @@ void part_anew(PairedMesh& mesh, QuadPair& hexagon, std::size_t first);
 /// one of the two is poor. Vertices, boundary and counts stay; free triangles are not touched. Returns the
 /// number of slides.
 std::size_t slide_diagonals(PairedMesh& mesh);
-/// The same, starting from these triangles' quads alone.
-std::size_t slide_diagonals(PairedMesh& mesh, std::span<const TriangleId> triangles);
+/// The same, starting from these triangles' quads alone; those of the slides are added to them.
+std::size_t slide_diagonals_at(PairedMesh& mesh, std::vector<TriangleId>& triangles);
 
 }  // namespace quadloom::quadrangulate

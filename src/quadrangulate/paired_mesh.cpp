@@ -6,7 +6,7 @@
 
 namespace quadloom::quadrangulate {
 
-QuadKind classify_quad(Point a, Point b, Point c, Point d) {
+QuadKind classify_quad_exactly(Point a, Point b, Point c, Point d) {
   return classify_quad(kernel::orient(d, a, b), kernel::orient(a, b, c), kernel::orient(b, c, d),
                        kernel::orient(c, d, a));
 }

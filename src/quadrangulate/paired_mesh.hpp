@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/chart.hpp"
+#include "kernel/squareness.hpp"
 #include "quadloom/quadrangulate.hpp"
 
 namespace quadloom::quadrangulate {
@@ -55,7 +56,11 @@ struct PairedMesh {
 
 /// Whether four corners in order are a simple counter-clockwise quad, and how its corners turn.
 enum class QuadKind : std::uint8_t { kNotSimple, kNonConvex, kFlatCorner, kStrictlyConvex };
-QuadKind classify_quad(Point a, Point b, Point c, Point d);
+QuadKind classify_quad_exactly(Point a, Point b, Point c, Point d);
+inline QuadKind classify_quad(Point a, Point b, Point c, Point d) {
+  if (kernel::QuadEdges(a, b, c, d).proven_convex()) return QuadKind::kStrictlyConvex;
+  return classify_quad_exactly(a, b, c, d);
+}
 /// The same from the turns at the corners in order (signs of orient2d).
 inline QuadKind classify_quad(int at_a, int at_b, int at_c, int at_d) {
   // Split along one of the diagonals, both triangles must be counter-clockwise.

@@ -195,6 +195,7 @@ bool QuickWalker::search(std::size_t nodes) {
   bucket_.fill(kNone);
   cost_ = 0;
   waiting_ = 0;
+  most_nodes_ = nodes;
   goal_ = kNone;
   goal_cost_ = kNone;
   const TriangleId t = start_;

@@ -24,6 +24,9 @@ class QuickWalker {
   /// A short walk to another one by quads of good shape, found within so many nodes.
   bool merge(TriangleId start, WalkQuads quads, std::size_t nodes);
 
+  /// Whether the last search ended for want of moves, not of nodes.
+  bool locked() const { return goal_ == kNone && nodes_.size() < most_nodes_; }
+
   /// Slides an edge between two quads near the triangle, quads that are strictly convex as before, so that there
   /// is a walk. If there is none, all is as before.
   bool merge_after_slide(TriangleId start, std::size_t nodes);
@@ -81,7 +84,7 @@ class QuickWalker {
   std::vector<Node> nodes_;
   std::array<std::uint32_t, kRing> bucket_;  // the last node of each, by cost
   std::uint32_t cost_ = 0;
-  std::size_t waiting_ = 0;
+  std::size_t waiting_ = 0, most_nodes_ = 0;
   Point aim_;
   double cost_of_length_ = 0;  // of the way to the aim; 0: no aim
   std::vector<Reached> reached_;

@@ -52,7 +52,8 @@ void walk_quickly(QuickWalker& quick, Walker& walker, const PairedMesh& mesh,
   sweep(mesh, [&](TriangleId t) { quick.merge_over_quad(t); });
   report_progress(progress, "walking", 0.2);
   sweep(mesh, [&](TriangleId t) {
-    if (!quick.merge(t, WalkQuads::kStrictlyConvex, kNear)) quick.merge_after_slide(t, kAfterSlide);
+    if (quick.merge(t, WalkQuads::kStrictlyConvex, kNear)) return;
+    if (quick.locked()) quick.merge_after_slide(t, kAfterSlide);
   });
   report_progress(progress, "walking", 0.8);
   walk_deeply(walker, mesh);

@@ -100,22 +100,28 @@ class FewestCuts {
   std::vector<PairId> links_;   // those of the first corner at hand, last corners ascending
 };
 
-/// False if there are too many pairs, or too many triangles are looked into.
+/// Pairs are seen from their reflex end, if both are from the first one. False if there are too many, or
+/// too many triangles are looked into.
 bool FewestCuts::look_around(std::size_t most_steps) {
+  for (Position i = 0; i + 1 < size(); ++i) pairs_.push_back({i, i + 1, Kind::kSide, 0, {}});
+  pairs_.push_back({0, size() - 1, Kind::kSide, kNoCut, {}});
   Visibility visibility(disc_);
   for (Position i = 0; i < size(); ++i) {
+    if (reflex_[i] == 0) continue;
     if (pairs_.size() > most_steps || visibility.work() > most_steps) return false;
-    begin_.push_back(pairs_.size());
-    if (i + 1 < size()) pairs_.push_back({i, i + 1, Kind::kSide, 0, {}});
     for (const Seen& seen : visibility.look_from(position(i))) {
       const Position k = disc_.length(first_, seen.position);
-      if (k < i || (reflex_[i] == 0 && reflex_[k] == 0)) continue;
+      if (reflex_[k] != 0 && k < i) continue;
       const Kind kind = seen.sight == Sight::kChord ? Kind::kChord : Kind::kPast;
-      pairs_.push_back({i, k, kind, kNoCut, {}});
+      pairs_.push_back({std::min(i, k), std::max(i, k), kind, kNoCut, {}});
     }
-    if (i == 0) pairs_.push_back({0, size() - 1, Kind::kSide, kNoCut, {}});
   }
-  begin_.push_back(pairs_.size());
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+    return p.from != q.from ? p.from < q.from : p.to < q.to;
+  });
+  begin_.assign(std::size_t{size()} + 1, 0);
+  for (const Pair& pair : pairs_) ++begin_[pair.from + 1];
+  for (Position i = 0; i < size(); ++i) begin_[i + 1] += begin_[i];
   return true;
 }
 

@@ -43,7 +43,6 @@
 #include "quadloom/strips.hpp"
 #include "quadrangulate/mesh_parts.hpp"
 #include "quadrangulate/triangulation_input.hpp"
-#include "strips/match_twins.hpp"
 #include "strips/refinement_places.hpp"
 
 namespace quadloom {
@@ -90,7 +89,9 @@ class Refinement {
         places_{input.mesh.points, input.z},
         progress_(progress),
         crossing_(mesh_.twin.size(), Crossing::kNo),
-        middle_(mesh_.twin.size(), kNone) {}
+        middle_(mesh_.twin.size(), kNone),
+        first_half_(mesh_.twin.size(), kNone),
+        second_half_(mesh_.twin.size(), kNone) {}
 
   void place_inner_points() {
     report_progress(progress_, "placing points", 0);
@@ -147,8 +148,8 @@ class Refinement {
 
   HamiltonianRefinement finish() {
     write_points();
-    Triangulation& mesh = out_.mesh.mesh;
-    mesh.twin = match_twins(mesh.tri_vertex, mesh.points.size());
+    connect();
+    const Triangulation& mesh = out_.mesh.mesh;
     out_.input_vertices = mesh_.points.size();
     out_.min_angle_before = min_angle(mesh_, places_);
     out_.min_angle_after = min_angle(mesh, {mesh.points, out_.mesh.z});
@@ -217,18 +218,49 @@ class Refinement {
     const bool kept =
         !input_.keep.empty() &&
         (input_.keep[h] != 0 || (mesh_.twin[h] != kNone && input_.keep[mesh_.twin[h]] != 0));
+    first_half_[h] = static_cast<TriangleId>(out_.source.size());
     if (crossing_[h] == Crossing::kNo) {
+      second_half_[h] = first_half_[h];
       add({a, b, c}, {t, kNone}, kept);
       return;
     }
-    const TriangleId u = triangle_of(mesh_.twin[h]);
+    const HalfedgeId g = mesh_.twin[h];
+    const TriangleId u = triangle_of(g);
     const VertexId d = inner_vertex(u);
     if (crossing_[h] == Crossing::kFlip) {
+      second_half_[g] = first_half_[h];
       add({a, d, c}, {t, u}, false);
       return;
     }
+    second_half_[g] = first_half_[h] + 1;
     add({a, middle_[h], c}, {t, kNone}, kept);
     add({middle_[h], a, d}, {u, kNone}, kept);
+  }
+
+  /// The twins. Of each piece halfedge 0 starts at its first corner (see pass).
+  ///
+  ///           c            The edge at the corner a of the triangle around c, where g ends and h begins:
+  ///        g / \ h         from c to a in the first piece of h, from a to c in the last one of g.
+  ///           a
+  void connect() {
+    Triangulation& mesh = out_.mesh.mesh;
+    mesh.twin.assign(mesh.tri_vertex.size(), kNone);
+    const auto join = [&](HalfedgeId a, HalfedgeId b) {
+      mesh.twin[a] = b;
+      mesh.twin[b] = a;
+    };
+    for (HalfedgeId h = 0; h < mesh_.twin.size(); ++h) {
+      const HalfedgeId before = previous_halfedge(h), across = mesh_.twin[h];
+      const HalfedgeId first = 3 * first_half_[h];
+      join(first + 2, 3 * second_half_[before] + (crossing_[before] == Crossing::kFlip ? 0U : 1U));
+      if (crossing_[h] == Crossing::kMiddle) {
+        join(first, 3 * second_half_[across]);
+        join(first + 1, 3 * second_half_[h] + 2);
+      } else if (across != kNone) {
+        const HalfedgeId side = crossing_[h] == Crossing::kFlip ? 1 : 0;
+        join(first + side, 3 * first_half_[across] + side);
+      }
+    }
   }
 
   /// `kept`: the edge from the first corner to the second is one to keep.
@@ -268,7 +300,9 @@ class Refinement {
   const Progress& progress_;
   std::vector<Crossing> crossing_;  // by halfedge
   std::vector<VertexId> middle_;    // by halfedge
-  std::vector<Vector3> inner_;      // one a triangle, then the midpoints: added points in order
+  std::vector<TriangleId> first_half_,
+      second_half_;             // by halfedge: the pieces at its origin and target
+  std::vector<Vector3> inner_;  // one a triangle, then the midpoints: added points in order
   HamiltonianRefinement out_;
 };
 

@@ -6,7 +6,9 @@
 //                       points are in the way, more than one (hamiltonian_start.hpp)
 //   3. split_wedges     the points in each triangle, one by one, by random or balanced splitters
 //                       (wedge_splitting.hpp)
-//   4. path_instead     no point inside, or no start found: the serpentine triangulation (Bose and
+//   4. by_search        no start found, and few points: an exhaustive search, which finds a cycle or
+//                       proves that there is none (hamiltonian_search.hpp)
+//   5. path_instead     no point inside, or no cycle found: the serpentine triangulation (Bose and
 //                       Toussaint), which is a path
 //
 // The paper takes points in general position. With three of them on a line a point can fall on an
@@ -24,8 +26,8 @@
 // keeps it so: the point nearest to the base. Hence each start gives a cycle, and all that depends on
 // collinear points is whether there is a start. There is none in hull-only sets (the dual graph is a
 // tree) and in sets like the pinwheel of hamiltonian_start.cpp, which have no Hamiltonian cycle
-// triangulation at all. Where the search finds none although there is one, the result is a path, too.
-// For up to seven points of the 4 x 4 grid it finds one whenever there is one (tests/exhaustive).
+// triangulation at all. No start is found, although there is a cycle, in one of ten thousand random
+// sets of seven to nine points of small grids; up to 16 points the search of step 4 tells the two apart.
 //
 // Cost: see the steps; O(n log n) expected, or in the worst case, for points in general position.
 #include <utility>
@@ -34,6 +36,7 @@
 #include "quadloom/strips.hpp"
 #include "quadrangulate/point_input.hpp"
 #include "quadrangulate/serpentine.hpp"
+#include "strips/hamiltonian_search.hpp"
 #include "strips/hamiltonian_start.hpp"
 #include "strips/match_twins.hpp"
 #include "strips/wedge_splitting.hpp"
@@ -61,6 +64,32 @@ Parts split_off_hull(std::span<const Point> points) {
   return parts;
 }
 
+/// Steps 2 and 3; false if there is no start.
+bool by_splitting(std::span<const Point> points, Parts& parts, const HamiltonianOptions& options,
+                  HamiltonianResult& result) {
+  Random random(options.seed);
+  const auto start = strips::start_cycle(parts.hull, parts.inner, random);
+  if (!start) return false;
+  strips::SplittingStatistics splitting;
+  result.cycle = Answer::kYes;
+  result.mesh.tri_vertex =
+      strips::split_wedges(start->wedges, parts.inner, 2 * points.size() - 2 - parts.hull.size(),
+                           options, random, splitting);
+  result.statistics.centres = start->centres;
+  result.statistics.levels = splitting.levels;
+  result.statistics.locations = splitting.locations;
+  result.statistics.chains = splitting.chains;
+  return true;
+}
+
+void by_search(std::span<const Point> points, const HamiltonianOptions& options,
+               HamiltonianResult& result) {
+  if (points.size() > strips::kMostSearched) return;
+  strips::CycleSearch search = strips::search_cycle(points, options.work_at_most);
+  result.cycle = search.answer;
+  result.mesh.tri_vertex = std::move(search.corners);
+}
+
 Triangulation path_instead(std::span<const Point> points) {
   const ConvexLayers layers = convex_layers(points);
   return quadrangulate::to_triangulation(points, quadrangulate::make_serpentine(points, layers));
@@ -76,25 +105,19 @@ HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
   report_progress(options.progress, "hull", 0);
   Parts parts = split_off_hull(distinct.points);
   result.statistics.hull_points = parts.hull.size();
-  Random random(options.seed);
-  std::optional<strips::CycleStart> start;
-  if (!parts.inner.empty()) start = strips::start_cycle(parts.hull, parts.inner, random);
-  if (!start) {
+  if (parts.inner.empty()) {
+    result.cycle = Answer::kNo;
+  } else if (!by_splitting(distinct.points, parts, options, result)) {
+    by_search(distinct.points, options, result);
+  }
+  if (result.cycle == Answer::kYes) {
+    result.order = OrderKind::kCycle;
+    result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, distinct.points.size());
+    result.mesh.points = std::move(distinct.points);
+  } else {
     result.order = OrderKind::kPath;
     result.mesh = path_instead(distinct.points);
-    return result;
   }
-  const std::size_t count = 2 * distinct.points.size() - 2 - parts.hull.size();
-  strips::SplittingStatistics splitting;
-  result.mesh.tri_vertex =
-      strips::split_wedges(start->wedges, parts.inner, count, options, random, splitting);
-  result.mesh.points = std::move(distinct.points);
-  result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, result.mesh.points.size());
-  result.order = OrderKind::kCycle;
-  result.statistics.centres = start->centres;
-  result.statistics.levels = splitting.levels;
-  result.statistics.locations = splitting.locations;
-  result.statistics.chains = splitting.chains;
   return result;
 }
 

@@ -137,6 +137,12 @@ std::optional<Vector3> middle_place(const Triangulation& mesh, const Places& pla
 
 double sharpness(const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 u = b - a, v = c - b, w = a - c;
+  const Vector3 plain = kernel::cross(u, v);
+  const double square = kernel::dot(plain, plain);
+  if (square > 1e-200 && square < 1e200) {  // far from underflow and overflow
+    return std::max({-kernel::dot(w, u), -kernel::dot(u, v), -kernel::dot(v, w)}) /
+           std::sqrt(square);
+  }
   const double most = std::max({length(u), length(v), length(w)});
   const Vector3 s = scaled(u, 1 / most), t = scaled(v, 1 / most), r = scaled(w, 1 / most);
   const double area = length(kernel::cross(s, t));

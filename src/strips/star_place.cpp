@@ -10,7 +10,8 @@
 namespace quadloom::strips {
 namespace {
 
-constexpr int kHalvings = 60;  // beyond, the doubles are those at `from`
+constexpr int kHalvings = 60;               // beyond, the doubles are those at `from`
+constexpr std::size_t kMostExactly = 1000;  // sides; the exact search is quadratic
 
 bool sees_all(std::span<const Point> star, Point p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
@@ -41,7 +42,7 @@ std::optional<Point> place_in_star(std::span<const Point> star, Point from, Poin
     const Point p{from.x * (1 - f) + to.x * f, from.y * (1 - f) + to.y * f};
     if (sees_all(star, p)) return p;
   }
-  return place_exactly(star);
+  return star.size() <= kMostExactly ? place_exactly(star) : std::nullopt;
 }
 
 }  // namespace quadloom::strips

@@ -1,5 +1,8 @@
 """quadloom triangulate of meshes, and sequential triangulations of points."""
 
+import pathlib
+import re
+
 import independent_check
 from harness import CommandLine, main
 from meshes_test import grid, read_ply
@@ -75,6 +78,18 @@ class Meshes(CommandLine):
         faces = faces_of(self.folder / "c.obj")
         self.check_cycle(faces[:3])
         self.check_cycle(faces[3:])
+
+    def test_the_harbour(self):
+        harbour = pathlib.Path(__file__).resolve().parents[2] / "examples/harbour/harbour.14"
+        run = self.succeeds("triangulate", harbour, "--kind", "hamiltonian-cycle", "-o", "c.obj")
+        after, before = map(float, re.search(r"smallest angle (\S+) degrees, (\S+) before",
+                                             run.stdout).groups())
+        self.assertGreaterEqual(after, before / 2)
+        faces = faces_of(self.folder / "c.obj")
+        self.assertEqual(len(faces), 3 * 670)
+        self.check_cycle(faces)
+        run = self.succeeds("triangulate", harbour, "--kind", "hamiltonian-path", "-o", "p.obj")
+        self.assertIn("670 triangles", run.stdout)
 
     def test_orders_without_a_change(self):
         self.write("s.obj", STRIP)

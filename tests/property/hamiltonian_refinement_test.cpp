@@ -1,6 +1,7 @@
 // Triangulations made Hamiltonian: cycles, angles, kept edges, regions, on every kind of mesh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -174,8 +175,11 @@ HamiltonianRefinement check(const TriangleMesh& input) {
       EXPECT_EQ(input.region[a], input.region[b]);
     }
   }
+  EXPECT_EQ(std::count(mesh.twin.begin(), mesh.twin.end(), kNone),
+            std::count(input.mesh.twin.begin(), input.mesh.twin.end(), kNone));
   for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
     if (mesh.twin[h] == kNone) continue;
+    EXPECT_EQ(mesh.origin(h), mesh.target(mesh.twin[h]));
     EXPECT_EQ(mesh.twin[mesh.twin[h]], h);
     EXPECT_EQ(mesh.origin(mesh.twin[h]), mesh.target(h));
   }

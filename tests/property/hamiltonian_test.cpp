@@ -7,6 +7,7 @@
 
 #include "core/random.hpp"
 #include "quadloom/generate.hpp"
+#include "strips/hamiltonian_search.hpp"
 #include "strips/middle_third.hpp"
 #include "support/grid_points.hpp"
 #include "support/hamiltonian_checks.hpp"
@@ -103,9 +104,34 @@ TEST(Hamiltonian, APinwheelHasAPathAndWithAPointInTheMiddleACycle) {
   ASSERT_EQ(orient2d(points[0], points[3], points[5]), 0);
   ASSERT_EQ(orient2d(points[1], points[4], points[3]), 0);
   ASSERT_EQ(orient2d(points[2], points[5], points[4]), 0);
-  EXPECT_EQ(hamiltonian_checked(points, {}).order, OrderKind::kPath);
+  EXPECT_EQ(hamiltonian_checked(points, {}).cycle, Answer::kNo);
   points.push_back({5, 6});
   EXPECT_EQ(hamiltonian_checked(points, {}).order, OrderKind::kCycle);
+}
+
+TEST(Hamiltonian, WhatTheStartMissesIsFoundBySearch) {
+  const std::vector<Point> points = {{3, 3}, {0, 0}, {2, 2}, {1, 1},
+                                     {4, 1}, {3, 1}, {0, 4}, {3, 4}};
+  const HamiltonianResult searched = hamiltonian_checked(points, {});
+  EXPECT_EQ(searched.cycle, Answer::kYes);
+  EXPECT_EQ(searched.statistics.centres, 0U);
+  EXPECT_EQ(hamiltonian_checked(points, {.work_at_most = 3}).cycle, Answer::kUnknown);
+}
+
+TEST(Hamiltonian, TheSearchAgreesWithAllTriangulations) {
+  std::size_t yes = 0, no = 0;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    Random random(seed);
+    const auto points = testing::random_grid_points(random, 4 + random.below(5), 4, 4);
+    if (testing::all_collinear(points)) continue;
+    const strips::CycleSearch search = strips::search_cycle(points, 10'000'000);
+    const bool expected = testing::has_hamiltonian_cycle_triangulation(points);
+    ASSERT_EQ(search.answer, expected ? Answer::kYes : Answer::kNo);
+    ++(expected ? yes : no);
+  }
+  EXPECT_GT(yes, 100U);
+  EXPECT_GT(no, 100U);
 }
 
 TEST(Hamiltonian, ExactMapsChangeNothing) {

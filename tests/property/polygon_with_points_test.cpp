@@ -198,6 +198,32 @@ TEST(PolygonWithPoints, NarrowPlacesAreFoundAmongTheDoubles) {
   }
 }
 
+TEST(PolygonWithPoints, AmongNeighbouringDoublesAPlaceOrAnError) {
+  const std::uint64_t seed = 134;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  std::size_t made = 0, refused = 0;
+  for (int trial = 0; trial < 1500 && !HasFailure(); ++trial) {
+    std::vector<Point> ring = test::random_grid_ring(random, 4 + random.below(8), 4);
+    const double step = trial % 2 == 0 ? 0x1p-52 : 0x1p-50;  // the doubles there are 2^-52 apart
+    for (Point& p : ring) p = {1 + p.x * step, 1 + p.y * step};
+    if (ring.empty()) continue;
+    SCOPED_TRACE(text_of(ring));
+    const Polygon polygon{{ring}};
+    for (const OrderKind order : {OrderKind::kPath, OrderKind::kCycle}) {
+      try {
+        expect_certified(polygon, hamiltonian_triangulation_with_points(polygon, order), order);
+        ++made;
+      } catch (const Error& e) {
+        ASSERT_EQ(e.code(), ErrorCode::kGuarantee) << e.what();
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(made, 500U);
+  EXPECT_GT(refused, 50U);
+}
+
 TEST(PolygonWithPoints, Refusals) {
   const Polygon bow{{{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}}};
   const auto code_of = [](const Polygon& polygon, OrderKind order) {

@@ -42,8 +42,9 @@ inline void expect_hamiltonian(const std::vector<Point>& input, const Hamiltonia
   const std::size_t h = convex_hull(result.mesh.points).size();
   ASSERT_EQ(result.statistics.hull_points, h);
   ASSERT_EQ(result.mesh.triangle_count(), 2 * result.mesh.points.size() - 2 - h);
+  ASSERT_EQ(result.order == OrderKind::kCycle, result.cycle == Answer::kYes);
   if (h == result.mesh.points.size()) {
-    ASSERT_EQ(result.order, OrderKind::kPath);
+    ASSERT_EQ(result.cycle, Answer::kNo);
   }
   expect_twins(result.mesh, h);
   ASSERT_EQ(result.input_to_vertex.size(), input.size());

@@ -1,0 +1,96 @@
+// Steps of a walk():
+//   1. walk_convexly   cheap searches that leave strictly convex quads, with the quads around as they are, or one
+//                      edge between two of them slid (quick_walk.hpp)
+//   2. walk_deeply     thorough ones (walk.hpp), as long as their budget lasts
+//   3. walk_anyhow     the others pair up by any quads, which are bad again but elsewhere; where walks are stuck
+//                      (narrow corridors) the steps of crossings that need no point go on
+#include "convex/mend_walk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadloom::convex {
+
+using quadrangulate::WalkLimits;
+using quadrangulate::WalkQuads;
+
+namespace {
+
+constexpr std::size_t kNear = 1'000;  // nodes of a search
+constexpr std::size_t kAfterSlide = 200;
+constexpr std::size_t kDeepNodes =
+    150'000;  // of thorough searches, for each walk(); what is left over adds up
+constexpr WalkLimits kDeepRounds[] = {
+    {WalkQuads::kStrictlyConvex, 4'000, 2},
+    {WalkQuads::kStrictlyConvex, 20'000, 4},
+};
+constexpr WalkLimits kLastRounds[] = {
+    {WalkQuads::kAny, 20'000, 4},
+    {WalkQuads::kAny, 20'000, 255},
+};
+
+}  // namespace
+
+MendWalker::MendWalker(quadrangulate::PairedMesh& mesh,
+                       std::function<void(std::span<const TriangleId>)> touch)
+    : mesh_(mesh), quick_(mesh), walker_(mesh), crossing_(mesh), touch_(std::move(touch)) {
+  quick_.on_recut = walker_.on_recut = [this](std::span<const TriangleId> touched) {
+    touch_(touched);
+    changed_.insert(changed_.end(), touched.begin(), touched.end());
+  };
+}
+
+std::vector<TriangleId> MendWalker::walk(std::span<const TriangleId> apart) {
+  free_.clear();
+  for (const TriangleId t : apart) {
+    if (mesh_.is_free(t)) continue;
+    free_.insert(free_.end(), {t, triangle_of(mesh_.tri.twin[mesh_.mate[t]])});
+    mesh_.unpair(t);
+  }
+  changed_ = free_;
+  crossed_ = false;
+  walk_convexly();
+  walk_deeply();
+  walk_anyhow();
+  return std::move(changed_);
+}
+
+template <typename Merge>
+void MendWalker::sweep(Merge merge) {
+  for (const TriangleId t : free_) {
+    if (mesh_.is_free(t)) merge(t);
+  }
+  free_.erase(
+      std::remove_if(free_.begin(), free_.end(), [&](TriangleId t) { return !mesh_.is_free(t); }),
+      free_.end());
+}
+
+void MendWalker::walk_convexly() {
+  sweep([&](TriangleId t) {
+    if (quick_.merge(t, WalkQuads::kStrictlyConvex, kNear)) return;
+    // A slide moves no sources.
+    if (mesh_.source.empty() && quick_.locked()) quick_.merge_after_slide(t, kAfterSlide);
+  });
+}
+
+void MendWalker::walk_deeply() {
+  deep_nodes_ += kDeepNodes;
+  for (const WalkLimits& limits : kDeepRounds) {
+    sweep([&](TriangleId t) {
+      if (deep_nodes_ == 0) return;
+      walker_.merge(t, limits);
+      deep_nodes_ -= std::min(deep_nodes_, walker_.nodes());
+    });
+  }
+}
+
+void MendWalker::walk_anyhow() {
+  sweep([&](TriangleId t) { quick_.merge(t, WalkQuads::kAny, kNear); });
+  sweep([&](TriangleId t) { quick_.merge_far(t); });
+  for (const WalkLimits& limits : kLastRounds) {
+    sweep([&](TriangleId t) { walker_.merge(t, limits); });
+  }
+  sweep([&](TriangleId t) { crossed_ = crossing_.merge(t) || crossed_; });
+}
+
+}  // namespace quadloom::convex
