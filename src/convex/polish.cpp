@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kPoor = 0.25;  // squareness; about 68% of random quads are better
 constexpr int kRounds = 3;
+constexpr double kVeryPoor = 0.05;  // where so many are to be polished that not all tries are made
 constexpr std::size_t kMostTries = 6;
 constexpr std::size_t kClusters = 40'000;  // looked at in the first round, about
 constexpr std::size_t kLargest = 6;        // quads of a cluster
@@ -59,10 +60,11 @@ void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& r
     std::vector<TriangleId> touched;
     const std::size_t tries =
         std::clamp<std::size_t>(kClusters / (triangles.size() + 1), 1, kMostTries);
+    const double poor = tries == kMostTries ? kPoor : kVeryPoor;
     for (const TriangleId t : triangles) {
       for (std::size_t i = 0; i < tries && !mesh.is_free(t); ++i) {
         const double shape = shape_of(mesh, corners_of(mesh, t));
-        if (shape < 0 || shape > kPoor) break;
+        if (shape < 0 || shape > poor) break;
         grower.start(t);
         const std::size_t wanted = 2 + random.below(kLargest - 1);
         while (grower.cluster().quad_count() < wanted && grower.grow(random)) {
