@@ -294,7 +294,7 @@ enum class PathGoal {
 /// How long to look for something better; figures: docs/algorithms/strips.md.
 enum class PathEffort {
   kFast,      ///< strips that alternate, taken one after the other
-  kStandard,  ///< and two rounds of improvement: 0.5 microseconds a triangle
+  kStandard,  ///< and three rounds of improvement: half a microsecond a triangle
   kThorough,  ///< sixteen rounds
 };
 
@@ -345,7 +345,9 @@ struct StripResult {
 };
 
 /// The triangles as strips: decode_strips gives each of them once, the same way around. The paths are
-/// path_partition's: for kSwap the fewest, else those of the fewest indices. The mesh may be any that
+/// path_partition's: for kSwap the fewest, else those of the fewest indices. Unless effort is kFast,
+/// meshes of at most 12 triangles get the shortest code of all, those of up to 200 the best of several
+/// ways, that of theorem 5.3 among them. The mesh may be any that
 /// triangles_with_twins gives. Throws Error kBadMesh (twins that do not agree, a triangle with a
 /// corner twice), kCancelled. O(n log n) for a given effort, the logarithm for sorting ends of strips.
 StripResult encode_strips(const Triangulation& mesh, const StripOptions& options = {});

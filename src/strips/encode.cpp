@@ -6,13 +6,16 @@
 //
 // Steps of encode_paths: check_paths, ends_of (each path, from both sides), join_strips (the order),
 // then write_strip for each. encode_strips finds the paths: few ones for kSwap, where turns are free,
-// else those of few indices; small meshes also go through encode_small.cpp, and the shorter code wins.
+// else those of few indices. Small meshes get the shortest of try_paths (with several seeds, the order
+// then coded anew), try_walk (theorem 5.3) and, if they are very small, try_all (the optimum).
 //
 // What differs from the paper: orientation is kept, and no triangle is drawn twice. Which turn is
 // free is then no choice: a strip that begins even turns left in its second triangle. Cost: O(n).
 #include <algorithm>
 
 #include "quadloom/strips.hpp"
+#include "strips/encode_order.hpp"
+#include "strips/encode_walk.hpp"
 #include "strips/join_strips.hpp"
 #include "strips/strip_writer.hpp"
 
@@ -123,6 +126,64 @@ StripResult write_paths(const Triangulation& mesh, const PathPartition& paths,
   return result;
 }
 
+constexpr std::size_t kSmall = 200;  // triangles
+constexpr std::uint64_t kSeeds = 8;
+
+PathOptions search_for(const StripOptions& options) {
+  PathOptions search;
+  search.goal =
+      options.encoding == StripEncoding::kSwap ? PathGoal::kFewestPaths : PathGoal::kFewestIndices;
+  search.effort = options.effort;
+  search.seed = options.seed;
+  search.progress = options.progress;
+  return search;
+}
+
+/// Keeps the shorter code.
+void keep(StripResult&& other, StripResult& best) {
+  if (other.code.index.size() < best.code.index.size()) best = std::move(other);
+}
+
+/// The triangles in the order in which the paths' strips draw them.
+std::vector<TriangleId> order_of(const Triangulation& mesh, const PathPartition& paths,
+                                 StripEncoding encoding) {
+  std::vector<TriangleId> order;
+  for (const std::uint32_t s : strips::join_strips(ends_of(mesh, paths), encoding).strip) {
+    const auto path = paths.path(s / 2);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      order.push_back(triangle_of(path[s % 2 == 1 ? path.size() - 1 - i : i]));
+    }
+  }
+  return order;
+}
+
+void try_paths(const Triangulation& mesh, const DualGraph& graph, const StripOptions& options,
+               StripResult& best) {
+  PathOptions search = search_for(options);
+  for (std::uint64_t i = 0; i < kSeeds; ++i) {
+    search.seed = options.seed + i;
+    const PathPartition paths = path_partition(graph, search);
+    keep(write_paths(mesh, paths, options.encoding), best);
+    if (options.encoding == StripEncoding::kSwap) continue;
+    const std::vector<TriangleId> order = order_of(mesh, paths, options.encoding);
+    keep(strips::encode_order(mesh, order, options.encoding), best);
+  }
+}
+
+void try_walk(const Triangulation& mesh, const DualGraph& graph, StripEncoding encoding,
+              StripResult& best) {
+  if (encoding == StripEncoding::kSwap) return;
+  keep(strips::encode_order(mesh, strips::christofides_order(graph), encoding), best);
+}
+
+void try_all(const Triangulation& mesh, StripEncoding encoding, StripResult& best) {
+  const std::vector<TriangleId> order = strips::shortest_order(mesh, encoding);
+  keep(encoding == StripEncoding::kSwap
+           ? write_paths(mesh, strips::paths_of_order(mesh, order), encoding)
+           : strips::encode_order(mesh, order, encoding),
+       best);
+}
+
 }  // namespace
 
 StripResult encode_paths(const Triangulation& mesh, const PathPartition& paths,
@@ -135,13 +196,16 @@ StripResult encode_paths(const Triangulation& mesh, const PathPartition& paths,
 StripResult encode_strips(const Triangulation& mesh, const StripOptions& options) {
   const DualGraph graph = dual_graph(mesh);
   check_corners(mesh);
-  PathOptions search;
-  search.goal =
-      options.encoding == StripEncoding::kSwap ? PathGoal::kFewestPaths : PathGoal::kFewestIndices;
-  search.effort = options.effort;
-  search.seed = options.seed;
-  search.progress = options.progress;
-  return write_paths(mesh, path_partition(graph, search), options.encoding);
+  StripResult best =
+      write_paths(mesh, path_partition(graph, search_for(options)), options.encoding);
+  if (mesh.triangle_count() > kSmall || options.effort == PathEffort::kFast) return best;
+  if (mesh.triangle_count() > strips::kMostExact) {
+    try_paths(mesh, graph, options, best);
+    try_walk(mesh, graph, options.encoding, best);
+  } else if (mesh.triangle_count() > 0) {
+    try_all(mesh, options.encoding, best);
+  }
+  return best;
 }
 
 }  // namespace quadloom

@@ -14,7 +14,7 @@
 // Ours: the paper leaves the problem, which is NP-hard, at a heuristic for travelling salesmen; the
 // stripifiers in use take one strip after the other. Determinism: the seed alone decides. Degenerate
 // input: any graph of at most three edges a node, parallel ones too (their triangles are then never
-// both in the forest). Cost: about 15 ns a triangle and pass; the working set is a patch.
+// both in the forest). Cost: about 10 ns a triangle and pass; the working set is a patch.
 #include "strips/improve_ways.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace quadloom::strips {
 namespace {
 
 constexpr std::uint32_t kPatch = 4096;  // triangles: 120 kB
-constexpr std::array<std::uint8_t, 5> kTurn = {0, 1, 2, 0, 1};
+constexpr std::array<std::uint8_t, 6> kTurn = {0, 1, 2, 0, 1, 2};
 
 /// A patch on its own. Slot 4 i + e is edge e of triangle i.
 class Patch {
@@ -39,7 +39,7 @@ class Patch {
         across_(4 * kPatch),
         message_(4 * (kPatch + 1)),
         drawn_(kPatch + 1),
-        forest_(kPatch) {}
+        forest_(kPatch + 1) {}
 
   std::vector<TriangleId> triangles;
 
@@ -51,7 +51,10 @@ class Patch {
 
  private:
   static constexpr std::uint32_t kOutside = 4 * kPatch;  // a slot that nobody reads
-  static constexpr std::uint32_t kRoot = 3;              // instead of the edge to the parent
+  static constexpr std::uint32_t kRoot = 3;  // instead of the edge to the parent; leads outside
+  static constexpr std::uint8_t kNo = 4;
+  /// The edge to the only neighbour drawn, by the set of them.
+  static constexpr std::array<std::uint8_t, 8> kParent = {kRoot, 0, 1, kNo, 2, kNo, kNo, kNo};
 
   std::uint32_t draw_forest(Random& random);
   void tell_upwards(std::uint32_t count);
@@ -70,6 +73,7 @@ void Patch::load(const PatchGrower& grower, const std::vector<Way>& way) {
   way_.resize(triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     way_[i] = way[triangles[i]];
+    across_[4 * i + kRoot] = kOutside;
     for (std::uint32_t e = 0; e < 3; ++e) {
       const HalfedgeId twin = graph_.twin[3 * triangles[i] + e];
       across_[4 * i + e] = kOutside;
@@ -93,15 +97,16 @@ std::uint32_t Patch::draw_forest(Random& random) {
   std::uint32_t i = static_cast<std::uint32_t>(random.next()) & mask;
   std::fill_n(drawn_.begin(), size, 0);
   std::uint32_t count = 0;
-  for (std::uint32_t n = 0; n <= mask; ++n) {
+  for (std::uint32_t n = 0; n <= mask; ++n) {  // no branch that depends on what was drawn
     i = (i + step) & mask;
     if (i >= size) continue;
     const std::uint32_t* across = &across_[4 * i];
-    const std::uint32_t d0 = drawn_[across[0] / 4], d1 = drawn_[across[1] / 4],
-                        d2 = drawn_[across[2] / 4];
-    if (d0 + d1 + d2 > 1) continue;
-    drawn_[i] = 1;
-    forest_[count++] = 4 * i + (d0 + d1 + d2 == 0 ? kRoot : d1 + 2 * d2);
+    const unsigned neighbours =
+        drawn_[across[0] / 4] + 2U * drawn_[across[1] / 4] + 4U * drawn_[across[2] / 4];
+    const std::uint8_t parent = kParent[neighbours];
+    forest_[count] = 4 * i + (parent & 3U);
+    drawn_[i] = parent <= kRoot;
+    count += parent <= kRoot;
   }
   return count;
 }
@@ -109,7 +114,6 @@ std::uint32_t Patch::draw_forest(Random& random) {
 void Patch::tell_upwards(std::uint32_t count) {
   for (std::uint32_t n = count; n-- > 0;) {
     const std::uint32_t slot = forest_[n], e = slot & 3;
-    if (e == kRoot) continue;
     const std::uint8_t* message = &message_[slot - e];
     message_[across_[slot]] = tables_.upward(message[kTurn[e + 1]], message[kTurn[e + 2]]);
   }
@@ -119,7 +123,7 @@ void Patch::choose_downwards(std::uint32_t count, std::uint32_t bits) {
   for (std::uint32_t n = 0; n < count; ++n) {
     bits = bits * 1664525 + 1013904223;
     const std::uint32_t first = forest_[n] & ~3U;
-    const std::uint32_t e = (forest_[n] & 3) == kRoot ? 0 : forest_[n] & 3;
+    const std::uint32_t e = kTurn[forest_[n] & 3];
     const std::uint8_t* message = &message_[first];
     const Way way =
         tables_.best(bits >> 30, e, message[e], message[kTurn[e + 1]], message[kTurn[e + 2]]);

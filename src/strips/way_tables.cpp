@@ -73,18 +73,26 @@ void WayTables::close_messages() {
 
 void WayTables::choose(std::uint64_t seed) {
   Random random(seed);
-  for (std::size_t i = 0; i < best_.size(); ++i) {
-    const std::array<std::size_t, 3> number = {i / (kMost * kMost) % kMost, i / kMost % kMost,
-                                               i % kMost};
-    if (*std::max_element(number.begin(), number.end()) >= messages_) continue;
+  const auto best_way = [&](const std::array<std::size_t, 3>& number) {
     int most = -1;
-    for (Way way = 0; way < kWays; ++way) {
+    Way best = 0;
+    std::uint64_t bits = random.next();
+    for (Way way = 0; way < kWays; ++way, bits >>= 4) {
       int worth = 0;
       for (std::size_t e = 0; e < 3; ++e) worth += message_[number[e]][kUseOfWay[way][e]];
-      const int rank = 64 * worth + (way < 3 ? 32 : 0) + static_cast<int>(random.below(16));
+      const int rank = 64 * worth + (way < 3 ? 32 : 0) + static_cast<int>(bits & 15);
       if (rank <= most) continue;
       most = rank;
-      best_[i] = way;
+      best = way;
+    }
+    return best;
+  };
+  for (std::size_t variant = 0; variant < kVariants; ++variant) {
+    for (std::size_t a = 0; a < messages_; ++a) {
+      for (std::size_t b = 0; b < messages_; ++b) {
+        Way* row = &best_[((variant * kMost + a) * kMost + b) * kMost];
+        for (std::size_t c = 0; c < messages_; ++c) row[c] = best_way({a, b, c});
+      }
     }
   }
 }

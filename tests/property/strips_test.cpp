@@ -107,7 +107,7 @@ TEST(Strips, PointsOfAllKinds) {
 }
 
 TEST(Strips, ManySmallMeshes) {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     SCOPED_TRACE("uniform, seed " + std::to_string(seed));
     expect_round_trips(delaunay(generate_points("uniform", 3 + seed % 40, seed)).mesh);
     if (HasFailure()) return;
@@ -125,7 +125,6 @@ TEST(Strips, Surfaces) {
 
 TEST(Strips, NoTriangleAndOneTriangle) {
   expect_round_trips(triangles_with_twins({}, {}));
-  expect_round_trips(triangles_with_twins({}, {}));
   expect_round_trips(triangles_with_twins(std::vector<Point>(3), {2, 0, 1}));
   const StripResult one = encode_strips(triangles_with_twins(std::vector<Point>(3), {2, 0, 1}));
   EXPECT_EQ(one.code.index.size(), 3U);
@@ -141,7 +140,7 @@ TEST(Strips, BowTiesAndParts) {
 }
 
 TEST(Strips, SoupsOfTriangles) {
-  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const std::uint64_t points = 3 + random.below(40);
