@@ -294,7 +294,7 @@ enum class PathGoal {
 /// How long to look for something better; figures: docs/algorithms/strips.md.
 enum class PathEffort {
   kFast,      ///< strips that alternate, taken one after the other
-  kStandard,  ///< and three rounds of improvement: half a microsecond a triangle
+  kStandard,  ///< and two rounds of improvement: half a microsecond a triangle
   kThorough,  ///< sixteen rounds
 };
 

@@ -35,7 +35,7 @@ Search search_for(PathGoal goal, PathEffort effort) {
     case PathEffort::kFast:
       return {0, 0, 0};
     case PathEffort::kStandard:
-      return paths ? Search{3, 1, 16} : Search{1, 3, 16};
+      return paths ? Search{2, 1, 16} : Search{1, 2, 16};
     default:
       return paths ? Search{16, 1, 32} : Search{8, 2, 32};
   }
