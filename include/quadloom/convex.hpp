@@ -65,6 +65,7 @@ struct MendStatistics {
   std::size_t clusters = 0;         ///< groups of quads that were parted anew
   std::size_t stars = 0;            ///< groups that one added point, or several, mended
   std::size_t cases = 0;            ///< unions of two quads mended as in the paper's cases
+  std::size_t settled = 0;          ///< added points that were taken out again
   std::size_t left = 0;             ///< quads that could not be mended among the doubles
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "convex/best_parting.hpp"
@@ -54,6 +55,7 @@ double cost_of(const PairedMesh& mesh, const Cluster& cluster) {
 
 void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& random) {
   ClusterGrower grower(mesh);
+  std::vector<TriangleId> none_spare;  // counts stay
   for (int round = 0; round < kRounds; ++round) {
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
@@ -74,7 +76,7 @@ void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& r
         const double now = cost_of(mesh, grower.cluster());
         const auto parting = best_parting(polygon, now - kLeastGain, Stars::kNone, price);
         if (!parting) continue;
-        part_cluster(mesh, grower.cluster(), parting->quads, {});
+        part_cluster(mesh, grower.cluster(), parting->quads, {}, none_spare);
         const auto& slot = grower.cluster().slot;
         touched.insert(touched.end(), slot.begin(), slot.end());
       }
@@ -91,9 +93,6 @@ class Smoother {
     for (const SteinerPoint& s : points) {
       if (s.kind == SteinerKind::kInner) quads_[s.vertex] = {};
     }
-    for (const SteinerPoint& s : points) {
-      for (const VertexId parent : s.parents) quads_.erase(parent);
-    }
     VertexId first = kNone;  // added points come last
     for (const auto& [v, quads] : quads_) first = std::min(first, v);
     for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
@@ -107,8 +106,7 @@ class Smoother {
     }
   }
 
-  void smooth(const SteinerPoint& s) {
-    const VertexId v = s.vertex;
+  void smooth(VertexId v) {
     const auto at = quads_.find(v);
     if (at == quads_.end()) return;
     const Quads& quads = at->second;
@@ -129,7 +127,7 @@ class Smoother {
       Point best = from;
       for (const Point d : kDirections) {
         const Point to{from.x + step * d.x, from.y + step * d.y};
-        if (!std::isfinite(to.x) || !std::isfinite(to.y) || !between_parents(s, to)) continue;
+        if (!std::isfinite(to.x) || !std::isfinite(to.y)) continue;
         mesh_.tri.points[v] = to;
         const double now = worst_of(quads);
         if (now <= worst) continue;
@@ -141,16 +139,10 @@ class Smoother {
     }
   }
 
+  std::array<VertexId, 3> parents_of(VertexId v) const;
+
  private:
   using Quads = std::vector<std::array<VertexId, 4>>;
-
-  bool between_parents(const SteinerPoint& s, Point p) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point a = mesh_.point(s.parents[k]), b = mesh_.point(s.parents[(k + 1) % 3]);
-      if (kernel::orient(a, b, p) < 0) return false;
-    }
-    return true;
-  }
 
   double worst_of(const Quads& quads) const {
     double worst = 1;
@@ -172,13 +164,61 @@ class Smoother {
   std::unordered_map<VertexId, Quads> quads_;
 };
 
+/// The largest triangle of some of the vertices that the point is in; none if there is none.
+std::optional<std::array<VertexId, 3>> largest_around(const PairedMesh& mesh, Point s,
+                                                      std::span<const VertexId> vertex) {
+  std::optional<std::array<VertexId, 3>> best;
+  double largest = -1;
+  const auto consider = [&](VertexId a, VertexId b, VertexId c) {
+    const Point p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
+    if (kernel::orient(p, q, s) < 0 || kernel::orient(q, r, s) < 0 || kernel::orient(r, p, s) < 0) {
+      return;
+    }
+    const double area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    if (area <= largest || kernel::orient(p, q, r) <= 0) return;
+    largest = area;
+    best = {a, b, c};
+  };
+  for (std::size_t k = 2; k < vertex.size(); ++k) {
+    for (std::size_t j = 1; j < k; ++j) {
+      for (std::size_t i = 0; i < j; ++i) {
+        consider(vertex[i], vertex[j], vertex[k]);
+        consider(vertex[i], vertex[k], vertex[j]);
+      }
+    }
+  }
+  return best;
+}
+
+/// A triangle of vertices that are no such points, as near as there is one: corners of the quads around, and
+/// where those are points themselves, of the quads around them. They have it between them, since they
+/// surround them.
+std::array<VertexId, 3> Smoother::parents_of(VertexId v) const {
+  std::vector<VertexId> points = {v}, around;
+  for (std::size_t i = 0; i < points.size();) {
+    for (const std::size_t end = points.size(); i < end; ++i) {
+      for (const auto& quad : quads_.at(points[i])) {
+        for (const VertexId w : quad) {
+          auto& list = quads_.contains(w) ? points : around;
+          if (std::find(list.begin(), list.end(), w) == list.end()) list.push_back(w);
+        }
+      }
+    }
+    if (const auto parents = largest_around(mesh_, mesh_.point(v), around)) return *parents;
+  }
+  return {kNone, kNone, kNone};
+}
+
 }  // namespace
 
-void smooth_points(PairedMesh& mesh, std::span<const SteinerPoint> points) {
+void smooth_points(PairedMesh& mesh, std::span<SteinerPoint> points) {
   if (points.empty()) return;
   Smoother smoother(mesh, points);
   for (int round = 0; round < 2; ++round) {
-    for (const SteinerPoint& s : points) smoother.smooth(s);
+    for (const SteinerPoint& s : points) smoother.smooth(s.vertex);
+  }
+  for (SteinerPoint& s : points) {
+    if (s.kind == SteinerKind::kInner) s.parents = smoother.parents_of(s.vertex);
   }
 }
 

@@ -15,8 +15,8 @@ void polish_quads(quadrangulate::PairedMesh& mesh, std::vector<TriangleId> trian
                   Random& random);
 
 /// Moves each inner point to where the worst of its quads is better, as long as all of them are strictly
-/// convex (exactly) and the point is in the triangle of its parents; those at a quad that is not strictly
-/// convex, and parents of other points, stay. O(1) a point, after O(n).
-void smooth_points(quadrangulate::PairedMesh& mesh, std::span<const SteinerPoint> points);
+/// convex (exactly); those at a quad that is not strictly convex stay. Then each has parents: three vertices that are
+/// no inner points, with the point in their triangle. O(1) a point, after O(n).
+void smooth_points(quadrangulate::PairedMesh& mesh, std::span<SteinerPoint> points);
 
 }  // namespace quadloom::convex
