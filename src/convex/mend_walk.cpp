@@ -20,6 +20,7 @@ constexpr std::size_t kNear = 1'000;  // nodes of a search
 constexpr std::size_t kAfterSlide = 200;
 constexpr std::size_t kDeepNodes =
     150'000;  // of thorough searches, for each walk(); what is left over adds up
+constexpr std::size_t kFar = 100'000;
 constexpr WalkLimits kDeepRounds[] = {
     {WalkQuads::kStrictlyConvex, 4'000, 2},
     {WalkQuads::kStrictlyConvex, 20'000, 4},
@@ -86,7 +87,7 @@ void MendWalker::walk_deeply() {
 
 void MendWalker::walk_anyhow() {
   sweep([&](TriangleId t) { quick_.merge(t, WalkQuads::kAny, kNear); });
-  sweep([&](TriangleId t) { quick_.merge_far(t); });
+  sweep([&](TriangleId t) { quick_.merge_far(t, free_, kFar); });
   for (const WalkLimits& limits : kLastRounds) {
     sweep([&](TriangleId t) { walker_.merge(t, limits); });
   }

@@ -31,7 +31,7 @@ constexpr std::uint32_t kStep = 2;
 constexpr double kShape = 12;  // times the greatest squared cosine of the quad left behind
 constexpr std::uint32_t kFlat = 60, kReflex = 80;  // so much is a detour worth
 constexpr std::uint32_t kSlack = 24;  // what a better walk may save without being looked for
-constexpr double kHop = 20;           // what a quad on the way to the aim is thought to cost
+constexpr double kHop = 12;           // what a quad on the way to the aim is thought to cost
 constexpr double kNoWalk = 2;         // worse than any squared cosine
 
 std::uint32_t convex_cost(double worst) {
@@ -112,39 +112,37 @@ bool QuickWalker::merge(TriangleId start, WalkQuads quads, std::size_t nodes) {
   return true;
 }
 
-bool QuickWalker::merge_far(TriangleId start) {
+bool QuickWalker::merge_far(TriangleId start, std::span<const TriangleId> others,
+                            std::size_t nodes) {
   start_ = start;
-  if (aim_at_nearest() == kNone) return false;
-  const bool merged = merge(start, WalkQuads::kAny, kNone);
+  if (!aim_at_nearest(others)) return false;
+  const bool merged = merge(start, WalkQuads::kAny, nodes);
   cost_of_length_ = 0;
   return merged;
 }
 
-/// The nearest free triangle by numbers of faces between.
-TriangleId QuickWalker::aim_at_nearest() {
-  search_of_.resize(mesh_.mate.size());
-  ++searches_;
-  reached_.assign({{3 * start_, 0}, {3 * start_ + 1, 0}, {3 * start_ + 2, 0}});
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
-    const auto [side, hops] = reached_[i];
-    const HalfedgeId enter = mesh_.tri.twin[side];
-    if (enter == kNone) continue;
-    const TriangleId t = triangle_of(enter);
-    if (mesh_.is_free(t)) {
-      if (t == start_) continue;
-      const Point from = centre(mesh_, start_);
-      aim_ = centre(mesh_, t);
-      const double length = std::hypot(aim_.x - from.x, aim_.y - from.y);
-      cost_of_length_ = kHop * (hops + 1) / length;
-      return t;
-    }
-    const QuadBehind quad = quad_behind(mesh_, enter);
-    std::uint32_t& search = search_of_[std::min(quad.near, quad.far)];
-    if (search == searches_) continue;
-    search = searches_;
-    for (const HalfedgeId next : quad.side) reached_.push_back({next, hops + 1});
+/// The nearest in the plane; what the way costs is guessed from the size of the triangle.
+bool QuickWalker::aim_at_nearest(std::span<const TriangleId> others) {
+  const Point from = centre(mesh_, start_);
+  double nearest = HUGE_VAL;
+  for (const TriangleId t : others) {
+    if (t == start_ || !mesh_.is_free(t)) continue;
+    const Point to = centre(mesh_, t);
+    const double distance = std::hypot(to.x - from.x, to.y - from.y);
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    aim_ = to;
   }
-  return kNone;
+  const auto corner = [&](std::size_t i) {
+    return mesh_.point(mesh_.tri.tri_vertex[3 * start_ + i]);
+  };
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = corner(i), b = corner((i + 1) % 3);
+    size = std::max(size, std::hypot(b.x - a.x, b.y - a.y));
+  }
+  cost_of_length_ = kHop / size;
+  return nearest < HUGE_VAL;
 }
 
 std::uint32_t QuickWalker::cost_to_aim(const Node& node) const {

@@ -31,8 +31,9 @@ class QuickWalker {
   /// is a walk. If there is none, all is as before.
   bool merge_after_slide(TriangleId start, std::size_t nodes);
 
-  /// A walk to about the nearest one, however far, any quads left behind. False if none was found.
-  bool merge_far(TriangleId start);
+  /// A walk towards the nearest of the others that is free, however far, any quads left behind. False if none was found
+  /// within so many nodes.
+  bool merge_far(TriangleId start, std::span<const TriangleId> others, std::size_t nodes = kNone);
 
   std::size_t walks() const { return walks_; }
   std::size_t steps() const { return steps_; }
@@ -60,12 +61,7 @@ class QuickWalker {
   /// No move costs as much as the ring is long, so that the costs waiting fit in one turn of it.
   static constexpr std::uint32_t kRing = 128;
 
-  struct Reached {
-    HalfedgeId enter;
-    std::uint32_t hops;
-  };
-
-  TriangleId aim_at_nearest();
+  bool aim_at_nearest(std::span<const TriangleId> others);
   std::uint32_t cost_to_aim(const Node& node) const;
   void try_over(HalfedgeId exit, OverQuad& best) const;
   bool search(std::size_t nodes);
@@ -86,8 +82,7 @@ class QuickWalker {
   std::uint32_t cost_ = 0;
   std::size_t waiting_ = 0, most_nodes_ = 0;
   Point aim_;
-  double cost_of_length_ = 0;  // of the way to the aim; 0: no aim
-  std::vector<Reached> reached_;
+  double cost_of_length_ = 0;                       // of the way to the aim; 0: no aim
   std::uint32_t goal_ = kNone, goal_cost_ = kNone;  // the cheapest node that meets a free triangle
   HalfedgeId met_ = kNone;
   std::vector<std::uint32_t> search_of_;  // by quad: the last search that passed it

@@ -58,7 +58,10 @@ void walk_quickly(QuickWalker& quick, Walker& walker, const PairedMesh& mesh,
   report_progress(progress, "walking", 0.8);
   walk_deeply(walker, mesh);
   sweep(mesh, [&](TriangleId t) { quick.merge(t, WalkQuads::kAny, kNear); });
-  sweep(mesh, [&](TriangleId t) { quick.merge_far(t); });
+  const std::vector<TriangleId> far = free_triangles(mesh);
+  for (const TriangleId t : far) {
+    if (mesh.is_free(t)) quick.merge_far(t, far);
+  }
 }
 
 std::size_t walk_together(Walker& walker, const PairedMesh& mesh,
