@@ -49,8 +49,8 @@ using quadrangulate::QuadKind;
 namespace {
 
 constexpr int kMostCycles = 200;  // of wandering and walks
-constexpr int kLeastCycles = 6;
-constexpr std::size_t kCycleTriangles = 12'000'000;  // triangles times cycles, between the two
+constexpr int kLeastCycles = 3;
+constexpr std::size_t kCycleTriangles = 6'000'000;  // triangles times cycles, between the two
 constexpr std::size_t kMostTries = 2;
 constexpr std::size_t kTiny = 100;               // triangles; there one try sees it all
 constexpr std::size_t kTriesTriangles = 16'000;  // triangles times tries, if there are several

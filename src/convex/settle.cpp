@@ -9,16 +9,19 @@
 #include "convex/settle.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "convex/recutter.hpp"
 
 namespace quadloom::convex {
 namespace {
 
-constexpr std::size_t kMostTries = 60'000;      // clusters, about 10 us each
-constexpr std::size_t kLeastPatience = 6'000;   // tries without a point less
-constexpr std::size_t kRoundsOfPatience = 100;  // the same, for each point
-constexpr std::size_t kMostMoreQuads = 5;       // than those around the point
+constexpr std::size_t kMostTries = 60'000;               // clusters, about 10 us each
+constexpr std::size_t kLeastMostTries = 6'000;           // on large meshes
+constexpr std::uint64_t kTryTriangles = 12'000'000'000;  // triangles times tries, between the two
+constexpr std::size_t kLeastPatience = 6'000;            // tries without a point less
+constexpr std::size_t kRoundsOfPatience = 100;           // the same, for each point
+constexpr std::size_t kMostMoreQuads = 5;                // than those around the point
 constexpr std::size_t kMostMoreIfLarge = 12;
 constexpr std::size_t kLargeEvery = 3;  // tries
 
@@ -39,8 +42,10 @@ void settle(Mending& state, MendStatistics& statistics) {
   const std::size_t before = points.size();
   const std::size_t patience =
       std::min(std::max(kLeastPatience, kRoundsOfPatience * before), state.tries_at_most());
+  const std::size_t most = std::clamp<std::uint64_t>(kTryTriangles / (state.mesh.mate.size() + 1),
+                                                     kLeastMostTries, kMostTries);
   std::size_t since = 0;
-  for (std::size_t i = 0; i < kMostTries && since < patience && !points.empty(); ++i, ++since) {
+  for (std::size_t i = 0; i < most && since < patience && !points.empty(); ++i, ++since) {
     const VertexId v = points[i % points.size()];
     const auto size = i % kLargeEvery == 0 ? Recutter::Size::kLarge : Recutter::Size::kUsual;
     if (!try_around(state, recutter, v, size)) continue;
