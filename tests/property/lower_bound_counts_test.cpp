@@ -1,4 +1,4 @@
-// The default on the sets that need many added points: within the bounds, whatever the order of the
+// The default on the sets that need many added points: few more than are needed, whatever the order of the
 // points, turned or stretched; and sets that are nearly such sets.
 #include <gtest/gtest.h>
 
