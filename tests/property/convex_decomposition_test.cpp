@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <sstream>
 
 #include "quadloom/quadloom.hpp"
 #include "strips/convex_path.hpp"
@@ -11,12 +10,6 @@
 
 namespace quadloom {
 namespace {
-
-std::string text_of(const std::vector<Point>& ring) {
-  std::ostringstream out;
-  for (const Point p : ring) out << '(' << p.x << ", " << p.y << ") ";
-  return out.str();
-}
 
 /// The least number of parts over all sets of edges of all triangulations.
 class FewestParts {
@@ -129,7 +122,7 @@ TEST(ConvexDecomposition, FewestPartsOfRandomPolygons) {
   Random random(seed);
   for (int trial = 0; trial < 1500 && !HasFailure(); ++trial) {
     const std::vector<Point> ring = test::random_ring(random, 4 + random.below(8));
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     expect_fewest(ring);
   }
 }
@@ -144,7 +137,7 @@ TEST(ConvexDecomposition, FewestPartsOfPolygonsOfGrids) {
     const std::size_t most = width == 3 ? 8 : 11;
     const auto ring = test::random_grid_ring(random, 4 + random.below(most - 3), width);
     if (ring.empty()) continue;
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     expect_fewest(ring);
     ++polygons;
   }

@@ -9,6 +9,7 @@
 #include "quadloom/generate.hpp"
 #include "strips/hamiltonian_search.hpp"
 #include "strips/middle_third.hpp"
+#include "support/bad_points.hpp"
 #include "support/grid_points.hpp"
 #include "support/hamiltonian_checks.hpp"
 
@@ -177,18 +178,8 @@ TEST(Hamiltonian, SameInputGivesTheSameTriangles) {
 }
 
 TEST(Hamiltonian, BadInputIsRefusedAndDuplicatesAreMerged) {
-  const auto code_of = [](std::vector<Point> points) {
-    try {
-      hamiltonian_cycle_triangulation(points);
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::kCancelled;
-  };
-  EXPECT_EQ(code_of({}), ErrorCode::kTooFewPoints);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {0, 0}}), ErrorCode::kTooFewPoints);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), ErrorCode::kAllCollinear);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {2, std::nan("")}}), ErrorCode::kNotFinite);
+  testing::expect_bad_points_refused(
+      [](const std::vector<Point>& points) { hamiltonian_cycle_triangulation(points); });
   const std::vector<Point> repeated = {{0, 0}, {3, 0}, {1, 1}, {0, 0}, {0, 3}, {1, 1}};
   const HamiltonianResult result = hamiltonian_checked(repeated, {});
   EXPECT_EQ(result.input_to_vertex, (std::vector<VertexId>{0, 1, 2, 0, 3, 2}));

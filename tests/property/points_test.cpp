@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "support/bad_points.hpp"
 #include "support/certified.hpp"
 
 namespace quadloom {
@@ -122,19 +123,8 @@ TEST(Points, DuplicatesAreMergedAndMapped) {
 }
 
 TEST(Points, BadInputIsRefused) {
-  const auto code_of = [](std::vector<Point> points) {
-    try {
-      quadrangulate_points(points);
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::kCancelled;
-  };
-  EXPECT_EQ(code_of({}), ErrorCode::kTooFewPoints);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {0, 0}}), ErrorCode::kTooFewPoints);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), ErrorCode::kAllCollinear);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {2, std::nan("")}}), ErrorCode::kNotFinite);
-  EXPECT_EQ(code_of({{0, 0}, {1, HUGE_VAL}, {2, 0}}), ErrorCode::kNotFinite);
+  testing::expect_bad_points_refused(
+      [](const std::vector<Point>& points) { quadrangulate_points(points); });
 }
 
 TEST(Points, ProgressCanStopTheWork) {

@@ -1,8 +1,6 @@
 // Hamiltonian and sequential triangulations of polygons against brute force over all triangulations.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "quadloom/quadloom.hpp"
 #include "support/all_triangulations.hpp"
 #include "support/grid_polygons.hpp"
@@ -85,12 +83,6 @@ Answers expect_agreement(const std::vector<Point>& ring) {
   return wanted;
 }
 
-std::string text_of(const std::vector<Point>& ring) {
-  std::ostringstream out;
-  for (const Point p : ring) out << '(' << p.x << ", " << p.y << ") ";
-  return out.str();
-}
-
 struct Count {
   std::size_t polygons = 0, paths = 0, sequential = 0;
   void add(const Answers& a) {
@@ -108,7 +100,7 @@ TEST(PolygonOrder, AgreesWithBruteForceOnRandomPolygons) {
   for (int trial = 0; trial < 4000; ++trial) {
     const std::vector<Point> ring =
         test::random_ring(random, 4 + std::max(random.below(9), random.below(9)));
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     count.add(expect_agreement(ring));
     if (HasFailure()) return;
   }
@@ -127,7 +119,7 @@ TEST(PolygonOrder, AgreesWithBruteForceOnRandomPolygonsOfGrids) {
     const int width = 4 + static_cast<int>(random.below(2));
     const std::vector<Point> ring = test::random_grid_ring(random, 4 + random.below(9), width);
     if (ring.empty()) continue;
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     count.add(expect_agreement(ring));
     if (HasFailure()) return;
   }
@@ -143,7 +135,7 @@ std::size_t expect_agreement_on_grid(int width) {
   testing::for_each_grid_polygon<N>(width, [&](const std::array<Point, N>& corners) {
     if (::testing::Test::HasFailure()) return;
     const std::vector<Point> ring(corners.begin(), corners.end());
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     expect_agreement(ring);
     ++polygons;
   });

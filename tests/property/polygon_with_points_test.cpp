@@ -1,19 +1,11 @@
 // Paths and cycles of triangles in polygons with added points.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "quadloom/quadloom.hpp"
 #include "support/small_polygons.hpp"
 
 namespace quadloom {
 namespace {
-
-std::string text_of(const std::vector<Point>& ring) {
-  std::ostringstream out;
-  for (const Point p : ring) out << '(' << p.x << ", " << p.y << ") ";
-  return out.str();
-}
 
 /// What the flat corners of the parts allow.
 struct Costs {
@@ -89,7 +81,7 @@ TEST(PolygonWithPoints, RandomPolygons) {
   Random random(seed);
   for (int trial = 0; trial < 1500 && !HasFailure(); ++trial) {
     const std::vector<Point> ring = test::random_ring(random, 4 + random.below(40));
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     expect_theorem(Polygon{{ring}});
   }
 }
@@ -105,7 +97,7 @@ TEST(PolygonWithPoints, PolygonsOfGrids) {
         std::min<std::uint64_t>(static_cast<std::uint64_t>(width * width), 19);
     const auto ring = test::random_grid_ring(random, 4 + random.below(most - 4), width);
     if (ring.empty()) continue;
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     expect_theorem(Polygon{{ring}});
     ++polygons;
   }
@@ -208,7 +200,7 @@ TEST(PolygonWithPoints, AmongNeighbouringDoublesAPlaceOrAnError) {
     const double step = trial % 2 == 0 ? 0x1p-52 : 0x1p-50;  // the doubles there are 2^-52 apart
     for (Point& p : ring) p = {1 + p.x * step, 1 + p.y * step};
     if (ring.empty()) continue;
-    SCOPED_TRACE(text_of(ring));
+    SCOPED_TRACE(test::text_of(ring));
     const Polygon polygon{{ring}};
     for (const OrderKind order : {OrderKind::kPath, OrderKind::kCycle}) {
       try {

@@ -7,6 +7,7 @@
 #include "core/random.hpp"
 #include "quadloom/generate.hpp"
 #include "strips/shrinking_hull.hpp"
+#include "support/bad_points.hpp"
 #include "support/grid_points.hpp"
 #include "support/spiral_polygon_checks.hpp"
 
@@ -122,18 +123,8 @@ TEST(SpiralPolygon, TheNextPointCanBeTwoLayersAway) {
 }
 
 TEST(SpiralPolygon, BadInputIsRefusedAndDuplicatesAreMerged) {
-  const auto code_of = [](std::vector<Point> points) {
-    try {
-      spiral_polygon(points);
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::kCancelled;
-  };
-  EXPECT_EQ(code_of({}), ErrorCode::kTooFewPoints);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {0, 0}}), ErrorCode::kTooFewPoints);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), ErrorCode::kAllCollinear);
-  EXPECT_EQ(code_of({{0, 0}, {1, 1}, {2, HUGE_VAL}}), ErrorCode::kNotFinite);
+  testing::expect_bad_points_refused(
+      [](const std::vector<Point>& points) { spiral_polygon(points); });
   const std::vector<Point> repeated = {{0, 0}, {3, 0}, {0, 0}, {0, 3}, {1, 1}, {3, 0}};
   const SpiralPolygon spiral = spiral_polygon(repeated);
   expect_spiral_polygon(repeated, spiral);

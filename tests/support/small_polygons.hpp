@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "core/random.hpp"
@@ -9,6 +11,13 @@
 #include "quadloom/generate.hpp"
 
 namespace quadloom::test {
+
+/// "(0, 0) (1, 0) (0, 1) ", for messages.
+inline std::string text_of(const std::vector<Point>& ring) {
+  std::ostringstream out;
+  for (const Point p : ring) out << '(' << p.x << ", " << p.y << ") ";
+  return out.str();
+}
 
 inline bool turns_left_around(const std::vector<Point>& ring) {
   const std::size_t lowest =
