@@ -2,13 +2,16 @@
 """Checks the documentation against the tree. Prints what does not agree.
 
     docs_check.py ROOT         README's C++ block is examples/cpp/first_mesh.cpp, links lead somewhere,
-                               references named in docs/ are in references.bib
+                               references named in docs/ are in references.bib, every code block says what it is
     docs_check.py --self-test  shows on made-up trees that each check can fail
 """
 import pathlib
 import re
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "docs"))
+import blocks  # noqa: E402
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 CPP_BLOCK = re.compile(r"^```cpp\n(.*?)^```", re.MULTILINE | re.DOTALL)
@@ -39,6 +42,7 @@ def check(root):
     faults = [*check_snippet(root)]
     for page in sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("examples/**/*.md")]):
         faults += [*check_links(root, page), *check_references(root, page)]
+        faults += blocks.faults(page.read_text(), page.relative_to(root))
     return faults
 
 
@@ -54,6 +58,7 @@ def self_test():
         ("docs/page.md", "[gone](gone.md)\n", "gone.md is not there"),
         ("docs/page.md", "![picture](images/gone.svg)\n", "gone.svg is not there"),
         ("docs/page.md", "[@nobody-2000]\n", "nobody-2000"),
+        ("docs/page.md", "```\nwhat is it?\n```\n", "language ''"),
     ]
 
     def faults(tree):
