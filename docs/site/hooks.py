@@ -1,0 +1,42 @@
+"""What MkDocs does not do by itself: pages made from the program, the headers and the bibliography; citations; links to
+headers, which lead to their pages in the reference."""
+import os
+import pathlib
+import posixpath
+import re
+import sys
+
+from mkdocs.structure.files import File
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import command_reference  # noqa: E402
+import cpp_reference  # noqa: E402
+from papers import Papers  # noqa: E402
+
+ROOT = pathlib.Path(__file__).parents[2]
+PAPERS = Papers(ROOT / "docs/references.bib")
+HELP = "<!-- the help of all verbs: the site puts it here -->"
+HEADER_LINK = re.compile(r"\]\((?:\.\./)+include/quadloom/(\w+)\.hpp\)")
+
+
+def made_pages():
+    yield "papers.md", PAPERS.page()
+    yield "changelog.md", (ROOT / "CHANGELOG.md").read_text()
+    for name, page in cpp_reference.pages(ROOT).items():
+        yield f"reference/cpp/{name}.md", page
+
+
+def on_files(files, config):
+    for uri, text in made_pages():
+        files.append(File.generated(config, uri, content=text))
+    return files
+
+
+def on_page_markdown(markdown, page, config, files):
+    def path_to(target):
+        return posixpath.relpath(target, posixpath.dirname(page.file.src_uri) or ".")
+
+    if HELP in markdown:
+        markdown = markdown.replace(HELP, command_reference.help_of_all(os.environ["QUADLOOM_APP"]))
+    markdown = HEADER_LINK.sub(lambda match: f"]({path_to(f'reference/cpp/{match.group(1)}.md')})", markdown)
+    return PAPERS.cite(markdown, path_to("papers.md"))
