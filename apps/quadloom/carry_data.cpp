@@ -9,8 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "interpolate.hpp"
-
 namespace quadloom::app {
 namespace {
 

@@ -92,35 +92,13 @@ bool adds_to_boundary(const SourceMesh& source, const TriangleResult& result) {
   return false;
 }
 
-// The bounds of the theorems on the number of added points, where there are any.
-std::size_t most_added(const TriangleStatistics& s, const TriangleOptions& options) {
-  const std::size_t odd = options.odd_boundary == OddBoundary::kTriangle ? 0 : s.odd_parts;
-  switch (options.method) {
-    case TriangleMethod::kFans:  // theorem 2.1 on the mesh opened up: n = t + 2
-      return (s.triangles + 2 * s.parts) / 3;
-    case TriangleMethod::kPercolate:  // theorem 3.3; no holes and no inner vertices: t = n - 2
-      if (s.parts == 1 && s.triangles + 2 == s.boundary_edges) return s.boundary_edges / 3;
-      break;
-    case TriangleMethod::kQPercolate:  // theorem 3.4
-      return s.triangles / 2 + odd;
-    case TriangleMethod::kQuarter:
-      return s.triangles / 4 + odd + 2 * s.crowded;
-    case TriangleMethod::kPair:
-      if (options.leftover == Leftover::kTriangle || options.leftover == Leftover::kError) return 0;
-      break;
-    default:
-      break;
-  }
-  return CertifyOptions{}.steiner_at_most;
-}
-
 CertifyOptions promised(const SourceMesh& source, const Conversion& made,
                         const ConversionOptions& conversion) {
   const TriangleResult& result = made.result;
   const TriangleOptions& options = conversion.triangles;
   CertifyOptions promise;
   promise.strictly_convex = conversion.convex && made.not_convex.empty();
-  promise.steiner_at_most = most_added(result.statistics, options);
+  promise.steiner_at_most = steiner_bound(result.statistics, options);
   promise.outer_steiner =
       std::any_of(result.steiner.begin(), result.steiner.end(),
                   [](const SteinerPoint& s) { return s.kind == SteinerKind::kOutside; });

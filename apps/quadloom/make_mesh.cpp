@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "convex_facts.hpp"
-#include "elevation.hpp"
 #include "facts.hpp"
 #include "options.hpp"
 #include "quadloom/kernel.hpp"
@@ -94,13 +93,6 @@ Source run_algorithm(const io::PointTable& table, const PointRun& run, MadeMesh&
   return source;
 }
 
-// Theorem 4.2 of Ramaswami, Ramos and Toussaint, theorem 3.1 of Bremner, Hurtado, Ramaswami and Sacristan.
-std::size_t convex_bound(const MadeMesh& made, const PointRun& run) {
-  const std::size_t triangles = 2 * made.input_vertices - 2 - made.statistics.hull_points;
-  return run.convex_method == ConvexMethod::kPentagons ? 7 * ((triangles + 5) / 6)
-                                                       : 3 * (made.input_vertices / 2);
-}
-
 // What the theorems promise for this input and these options.
 CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
   CertifyOptions promise;
@@ -118,12 +110,12 @@ CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
                     [](const SteinerPoint& s) { return s.kind == SteinerKind::kOutside; });
     promise.strictly_convex = made.not_convex.empty();
     promise.triangles_allowed = odd && !outside ? 1 : 0;
-    promise.steiner_at_most = convex_bound(made, run) + (odd && !triangle ? 1 : 0);
+    promise.steiner_at_most = steiner_bound(made.input_vertices, *made.convex, convex_options(run));
   } else if (by_subdivision(run) && !made.statistics.fell_back_to_spiral) {
     promise.strictly_convex = true;
   } else {
     promise.triangles_allowed = odd && triangle ? 1 : 0;
-    promise.steiner_at_most = odd && !triangle ? 1 : 0;
+    promise.steiner_at_most = steiner_bound(made.statistics, run.making);
   }
   return promise;
 }
@@ -177,10 +169,10 @@ MadeMesh make_mesh(const io::PointTable& table, const PointRun& run) {
   made.quality = measure_quality(made.file.mesh);
   made.total_edge_length = edge_length(made.file.mesh);
   if (!table.z.empty()) {
-    Elevation elevation =
-        carry_elevation(table.z, source.input_to_vertex, made.file.mesh.points, made.steiner);
-    made.file.z = std::move(elevation.z);
-    made.other_z = elevation.other_z;
+    CarriedValues elevation =
+        carry_values(table.z, source.input_to_vertex, made.file.mesh.points, made.steiner);
+    made.file.z = std::move(elevation.values);
+    made.other_z = elevation.differing;
   }
   add_attributes(made);
   return made;

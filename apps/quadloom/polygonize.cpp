@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "elevation.hpp"
 #include "exit_codes.hpp"
 #include "facts.hpp"
 #include "options.hpp"
@@ -55,7 +54,7 @@ MadePolygon make(const PolygonizeOptions& o, const io::PointTable& table) {
   }
   made.triangles.mesh = to_polygon_mesh(spiral.mesh);
   if (!table.z.empty()) {
-    made.triangles.z = carry_elevation(table.z, spiral.input_to_vertex, spiral.mesh.points, {}).z;
+    made.triangles.z = carry_values(table.z, spiral.input_to_vertex, spiral.mesh.points, {}).values;
   }
   io::Attribute order{"order", {}};
   for (std::size_t f = 0; f < made.triangles.mesh.face_count(); ++f) {

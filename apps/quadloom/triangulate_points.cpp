@@ -1,7 +1,6 @@
 // quadloom triangulate for points.
 #include <fmt/format.h>
 
-#include "elevation.hpp"
 #include "facts.hpp"
 #include "progress_bar.hpp"
 #include "quadloom/quadrangulate.hpp"
@@ -88,7 +87,7 @@ MadeTriangles triangulate_points(const TriangulateOptions& options, const io::Po
   made.order = result.order;
   made.file.mesh = to_polygon_mesh(result.mesh);
   if (!table.z.empty()) {
-    made.file.z = carry_elevation(table.z, result.input_to_vertex, result.mesh.points, {}).z;
+    made.file.z = carry_values(table.z, result.input_to_vertex, result.mesh.points, {}).values;
   }
   made.certificate = certify_points(made.file.mesh, table.points, triangles_alone(0));
   made.verdict = verdict_line(made.certificate, true);

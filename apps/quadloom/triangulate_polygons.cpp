@@ -1,7 +1,6 @@
 // quadloom triangulate for polygons.
 #include <fmt/format.h>
 
-#include "elevation.hpp"
 #include "facts.hpp"
 #include "mesh_facts.hpp"
 #include "timer.hpp"
@@ -107,7 +106,7 @@ MadeTriangles in_order(const TriangulateOptions& options, FoundInput found) {
   made.file.mesh = to_polygon_mesh(result.mesh);
   if (!file.z.empty()) {
     made.file.z =
-        carry_elevation(file.z, result.input_to_vertex, result.mesh.points, result.steiner).z;
+        carry_values(file.z, result.input_to_vertex, result.mesh.points, result.steiner).values;
   }
   for (const auto& [name, values] : file.polygon_data) {
     made.file.face_data.push_back(

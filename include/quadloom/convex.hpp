@@ -101,6 +101,10 @@ struct ConvexResult {
 ConvexResult convex_quadrangulation(std::span<const Point> input,
                                     const ConvexOptions& options = {});
 
+/// The most Steiner points that convex_quadrangulation may add to that many distinct points.
+std::size_t steiner_bound(std::size_t points, const ConvexStatistics& statistics,
+                          const ConvexOptions& options);
+
 // ---- Triangulations and polygons. ----
 
 struct ConvexMeshResult {

@@ -142,6 +142,10 @@ struct DrawOptions {
 /// readable from 20 points to 200,000.
 void draw_mesh(const std::string& path, const MeshFile& mesh, const DrawOptions& options = {});
 
+/// The same as the bytes of a file; `format` is "svg", "png" or "pdf".
+std::string draw_picture(const std::string& format, const MeshFile& mesh,
+                         const DrawOptions& options = {});
+
 /// Several pictures on one sheet, with their titles, `columns` a row.
 struct Panel {
   const MeshFile* mesh = nullptr;

@@ -75,6 +75,9 @@ struct PointResult {
 /// kGuarantee if the odd point has no place among the doubles.
 PointResult quadrangulate_points(std::span<const Point> input, const PointOptions& options = {});
 
+/// The most Steiner points that quadrangulate_points may add for a set with that many points on its hull.
+std::size_t steiner_bound(const PointStatistics& statistics, const PointOptions& options);
+
 /// True if and only if the set has a quadrangulation without Steiner points: the number of points
 /// on its hull is even (theorem 3.1) and they are not all collinear. Duplicates count once.
 /// Throws Error kNotFinite, kTooManyPoints. O(n log n).
@@ -199,6 +202,10 @@ struct TriangleResult {
 TriangleResult quadrangulate_triangles(const TriangleMesh& input,
                                        const TriangleOptions& options = {});
 
+/// The most Steiner points that the method may add for such a source: its theorem's bound, none (the
+/// greatest number) where there is no theorem.
+std::size_t steiner_bound(const TriangleStatistics& statistics, const TriangleOptions& options);
+
 struct PlanarResult {
   ConstrainedResult triangulation;  ///< parts and input edges of the source triangles
   TriangleResult quads;
@@ -208,5 +215,35 @@ struct PlanarResult {
 /// Delaunay triangulation. Segments and the borders between polygons are edges to keep. Throws also as
 /// constrained_delaunay.
 PlanarResult quadrangulate_polygons(const PlanarInput& input, const TriangleOptions& options = {});
+
+// ---- Numbers of vertices, carried over to added points. ----
+
+/// The parents of an added point with their shares, which sum up to 1; kNone where there are fewer
+/// than three.
+struct Blend {
+  VertexId vertex = kNone;
+  std::array<VertexId, 3> parent = {kNone, kNone, kNone};
+  std::array<double, 3> share = {0, 0, 0};
+};
+
+/// Where the added points lie between their parents: barycentric coordinates for a point in a
+/// triangle, the place along it (at its projection) for one made from an edge, in the plane (z
+/// empty) or in space. In the order of `steiner`, each after its parents.
+std::vector<Blend> blends(std::span<const SteinerPoint> steiner, std::span<const Point> points,
+                          std::span<const double> z = {});
+
+/// Sets the values of the added points; those of the others are given.
+void interpolate(std::span<const Blend> blends, std::span<double> values);
+
+struct CarriedValues {
+  std::vector<double> values;  ///< per vertex
+  std::size_t differing =
+      0;  ///< repeated points whose value differs from the first one's, which is kept
+};
+
+/// Values per input point as values per vertex, `points` and `steiner` those of a result. Input points
+/// without a vertex (kNone) are left out.
+CarriedValues carry_values(std::span<const double> input, std::span<const VertexId> input_to_vertex,
+                           std::span<const Point> points, std::span<const SteinerPoint> steiner);
 
 }  // namespace quadloom

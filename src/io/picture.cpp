@@ -169,15 +169,9 @@ void paint_panel(const Canvas& canvas, const Layout& l, double x, double y) {
   }
 }
 
-}  // namespace
-
-void draw_mesh(const std::string& path, const MeshFile& mesh, const DrawOptions& options) {
-  const Panel panel{&mesh, options};
-  draw_sheet(path, {&panel, 1}, 1);
-}
-
-void draw_sheet(const std::string& path, std::span<const Panel> panels, int columns) {
-  const std::string format = picture_format(path);
+// The bytes of a sheet in that format; `what` is for messages.
+std::string paint_sheet(const std::string& format, std::span<const Panel> panels, int columns,
+                        const std::string& what) {
   if (panels.empty() || columns < 1) {
     throw Error(ErrorCode::kBadOption, "a picture sheet needs a picture and a column");
   }
@@ -204,7 +198,25 @@ void draw_sheet(const std::string& path, std::span<const Panel> panels, int colu
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     paint_panel(canvas, layouts[i], corner[i].x, corner[i].y);
   }
-  canvas.write(path);
+  return canvas.finish(what);
+}
+
+}  // namespace
+
+void draw_mesh(const std::string& path, const MeshFile& mesh, const DrawOptions& options) {
+  const Panel panel{&mesh, options};
+  draw_sheet(path, {&panel, 1}, 1);
+}
+
+void draw_sheet(const std::string& path, std::span<const Panel> panels, int columns) {
+  write_text(path,
+             paint_sheet(picture_format(path), panels, columns, "the picture '" + path + "'"));
+}
+
+std::string draw_picture(const std::string& format, const MeshFile& mesh,
+                         const DrawOptions& options) {
+  const Panel panel{&mesh, options};
+  return paint_sheet(picture_format("." + format), {&panel, 1}, 1, "a picture");
 }
 
 }  // namespace quadloom::io

@@ -91,16 +91,15 @@ double Canvas::text_width(std::string_view line, double size) const {
   return extents.x_advance;
 }
 
-void Canvas::write(const std::string& path) {
+const std::string& Canvas::finish(const std::string& what) {
   cairo_show_page(cairo_);
   if (format_ == "png") cairo_surface_write_to_png_stream(surface_, append, &bytes_);
   cairo_surface_finish(surface_);
   const cairo_status_t status = std::max(cairo_status(cairo_), cairo_surface_status(surface_));
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(ErrorCode::kFile,
-                "cannot make the picture '" + path + "': " + cairo_status_to_string(status));
+    throw Error(ErrorCode::kFile, "cannot make " + what + ": " + cairo_status_to_string(status));
   }
-  write_text(path, bytes_);
+  return bytes_;
 }
 
 }  // namespace quadloom::io

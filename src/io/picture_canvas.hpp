@@ -29,8 +29,8 @@ class Canvas {
               Anchor anchor = Anchor::kLeft, double room = 1e9, bool bold = false) const;
   double text_width(std::string_view line, double size) const;
 
-  /// Finishes the page and writes it by temporary name and rename. Throws Error kFile.
-  void write(const std::string& path);
+  /// Finishes the page: the bytes of the picture. Throws Error kFile, naming `what`.
+  const std::string& finish(const std::string& what);
 
  private:
   std::string format_;

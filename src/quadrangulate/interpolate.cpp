@@ -1,9 +1,10 @@
-#include "interpolate.hpp"
-
+// Numbers of added points from those of the vertices that they were made from.
 #include <algorithm>
 #include <cmath>
 
-namespace quadloom::app {
+#include "quadloom/quadrangulate.hpp"
+
+namespace quadloom {
 namespace {
 
 struct Vector {
@@ -99,4 +100,23 @@ void interpolate(std::span<const Blend> blends, std::span<double> values) {
   }
 }
 
-}  // namespace quadloom::app
+CarriedValues carry_values(std::span<const double> input, std::span<const VertexId> input_to_vertex,
+                           std::span<const Point> points, std::span<const SteinerPoint> steiner) {
+  CarriedValues out;
+  out.values.assign(points.size(), 0);
+  std::vector<bool> known(points.size(), false);
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const VertexId v = input_to_vertex[i];
+    if (v == kNone) continue;
+    if (!known[v]) {
+      out.values[v] = input[i];
+      known[v] = true;
+    } else if (out.values[v] != input[i]) {
+      ++out.differing;
+    }
+  }
+  interpolate(blends(steiner, points), out.values);
+  return out;
+}
+
+}  // namespace quadloom
