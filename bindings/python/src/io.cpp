@@ -1,0 +1,219 @@
+// include/quadloom/io.hpp: files and pictures.
+#include "quadloom/io.hpp"
+
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "bind.hpp"
+#include "choice.hpp"
+#include "conversions.hpp"
+#include "fields.hpp"
+#include "inputs.hpp"
+#include "parts.hpp"
+#include "progress.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace quadloom::python {
+namespace {
+
+using Path = std::filesystem::path;
+
+// ---- Attributes: a dict of arrays. ----
+
+nb::dict dict_of(const std::vector<io::Attribute>& attributes) {
+  nb::dict out;
+  for (const io::Attribute& a : attributes)
+    out[nb::str(a.name.c_str())] = own(std::vector(a.values));
+  return out;
+}
+
+std::vector<io::Attribute> attributes_from(const nb::dict& given) {
+  std::vector<io::Attribute> out;
+  for (const auto& [name, values] : given) {
+    std::string word = nb::cast<std::string>(name);
+    std::vector<double> numbers = doubles_from(nb::borrow<NumbersLike>(values), word.c_str());
+    out.push_back({std::move(word), std::move(numbers)});
+  }
+  return out;
+}
+
+// ---- Points. ----
+
+void bind_points(nb::module_& m) {
+  m.def(
+      "read_points",
+      [](const Path& path, const std::string& format, const std::string& columns) {
+        const io::PointTable table = without_gil([&] {
+          return io::read_points(path.string(), {format, columns});
+        });
+        if (table.z.empty()) return nb::cast(own(std::vector(table.points)));
+        std::vector<double> xyz;
+        xyz.reserve(3 * table.points.size());
+        for (std::size_t i = 0; i < table.points.size(); ++i) {
+          xyz.insert(xyz.end(), {table.points[i].x, table.points[i].y, table.z[i]});
+        }
+        return nb::cast(own<3>(std::move(xyz)));
+      },
+      "path"_a, nb::kw_only(), "format"_a = "", "columns"_a = "",
+      nb::sig("def read_points(path: str | os.PathLike, *, format: str = '', columns: str = '') -> "
+              "numpy.typing.NDArray[numpy.float64]"),
+      R"(Points of a file, float64 (n, 2), or (n, 3) where the file has heights: .csv .tsv, .xyz .xy .txt, .geojson .json;
+"-" is standard input. `format`: "csv", "xyz" or "geojson"; empty: by the name. `columns`: two or three header names
+(any case) or numbers from 1, such as "lon,lat" or "2,3,4"; empty: x,y[,z] or lon,lat[,elevation ...] of the header,
+else the first two or three columns.
+
+Raises Error: parse and not-finite naming the file, the line (culprit) and the text, file, bad-option; too-few-points
+for a file without points. docs/formats.md has the details.)");
+  m.def(
+      "write_points",
+      [](const Path& path, const PointsLike& points) {
+        const Points given(points);
+        without_gil([&] {
+          io::write_points(path.string(), given.xy(), given.z());
+          return 0;
+        });
+      },
+      "path"_a, "points"_a,
+      "One point a line, the fewest digits that read back the same; .csv and .tsv with a header; "
+      ".geojson as "
+      "MultiPoint; by the name, \"-\" as .xyz to standard output. Raises Error: file.");
+}
+
+// ---- Meshes. ----
+
+// A mesh to write or draw, with its data, or without.
+io::MeshFile file_from(const MeshArgument& given) {
+  if (const auto* file = dynamic_cast<const Made<io::MeshFile>*>(&given.mesh())) return *file;
+  return given.mesh().file();
+}
+
+void bind_mesh_file(nb::module_& m) {
+  using F = Made<io::MeshFile>;
+  Fields<F, Mesh> fields(m, "MeshFile", "A mesh with what files carry beside it.");
+  fields.def(
+      "__init__",
+      [](F* self, const MeshLike& mesh, const nb::object& faces, const nb::dict& vertex_data,
+         const nb::dict& face_data, const NumbersLike& edges) {
+        io::MeshFile file = file_from(MeshArgument(mesh, faces));
+        for (auto& a : attributes_from(vertex_data)) file.vertex_data.push_back(std::move(a));
+        for (auto& a : attributes_from(face_data)) file.face_data.push_back(std::move(a));
+        const std::vector<std::uint32_t> ends = indices_from(edges, "edges");
+        for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+          file.edges.push_back({ends[i], ends[i + 1]});
+        }
+        new (self) F(std::move(file));
+      },
+      "mesh"_a, "faces"_a = nb::none(), nb::kw_only(), "vertex_data"_a = nb::dict(),
+      "face_data"_a = nb::dict(), "edges"_a = nb::none(),
+      "A mesh, or points and faces; data as arrays by name, one number a vertex or a face; `edges` "
+      "(e, 2): "
+      "lines of the file.");
+  fields
+      .get(
+          "vertex_data", [](const F& f) { return dict_of(f.vertex_data); },
+          "Arrays by name, one number a vertex.")
+      .get(
+          "face_data", [](const F& f) { return dict_of(f.face_data); },
+          "Arrays by name, one number a face.")
+      .array("edges", &io::MeshFile::edges, "Lines of the file, uint32 (e, 2).")
+      .value("z_is_data", &io::MeshFile::z_is_data, "Heights or depths over a planar mesh (.14).")
+      .value("faces_left_out", &io::MeshFile::faces_left_out,
+             ".stl: facets of which two corners are at the same place.");
+  m.def(
+      "read_mesh",
+      [](const Path& path, const std::string& format) {
+        return made(without_gil([&] { return io::read_mesh(path.string(), format); }));
+      },
+      "path"_a, "format"_a = "",
+      R"(A mesh of a file: what write_mesh writes, .stl, .14, .gr3 and .ele with the .node beside it; "-" is standard input
+(needs `format`). Heights that are all 0 count as none.
+
+Raises Error: parse (culprit: the line where there is one), not-finite, index-out-of-range (culprits: face, index),
+file, bad-option.)");
+  m.def(
+      "write_mesh",
+      [](const Path& path, const MeshLike& mesh, const std::string& format) {
+        const io::MeshFile file = file_from(MeshArgument(mesh));
+        without_gil([&] {
+          io::write_mesh(path.string(), file, format);
+          return 0;
+        });
+      },
+      "path"_a, "mesh"_a, "format"_a = "",
+      R"(Writes a mesh by the name: .obj .off .ply .vtu .msh .geojson .json, or as `format` says: one of these without the
+dot, "msh22" (.msh is 4.1) or "vtu-ascii" (.vtu has base64). Coordinates read back bit for bit (-0.0 as 0). Written to
+a temporary name beside the target, then renamed; "-" is standard output (needs `format`). What a format cannot hold is
+left out: vertex data in .obj, .off and .geojson, face data in .obj and .off, edges in .off, .ply and .geojson, unused
+vertices in .geojson.
+
+Raises Error: file; bad-option (unknown format, faces that .msh cannot hold); index-out-of-range, not-finite, bad-mesh
+for a mesh that no file should hold.)");
+  m.def(
+      "require_mesh_format",
+      [](const Path& path, const std::string& format) {
+        io::require_mesh_format(path.string(), format);
+      },
+      "path"_a, "format"_a = "",
+      "Raises the Error that write_mesh would raise for that name and format: to be asked before "
+      "long work.");
+}
+
+// ---- Pictures. ----
+
+void bind_pictures(nb::module_& m) {
+  bind_words<io::ColourBy>(
+      m, "ColourBy", "What the colours of a picture tell.",
+      {{io::ColourBy::kQuality, "quality", "the shape of each quad"},
+       {io::ColourBy::kConvexity, "convexity", "strictly convex, flat, non-convex"},
+       {io::ColourBy::kNone, "none", "nothing"},
+       {io::ColourBy::kGroup, "group", "`group` of each face"}});
+  m.def(
+      "draw_mesh",
+      [](const Path& path, const MeshLike& mesh, int width, const Choice<io::ColourBy>& colour,
+         const NumbersLike& group, std::vector<std::string> group_names, std::string title,
+         const std::vector<PointsLike>& overlay) {
+        const MeshArgument given(mesh);
+        io::DrawOptions o;
+        o.width = width;
+        o.colour = colour.get("colour");
+        for (const std::uint32_t g : indices_from(group, "group")) {
+          o.group.push_back(static_cast<std::uint8_t>(std::min(g, std::uint32_t{255})));
+        }
+        o.group_names = std::move(group_names);
+        o.title = std::move(title);
+        o.steiner = given.mesh().added();
+        for (const PointsLike& line : overlay) {
+          const Points points(line);
+          o.overlay.push_back({{points.xy().begin(), points.xy().end()}, false, 0});
+        }
+        const io::MeshFile file = file_from(given);
+        without_gil([&] {
+          io::draw_mesh(path.string(), file, o);
+          return 0;
+        });
+      },
+      "path"_a, "mesh"_a, nb::kw_only(), "width"_a = io::DrawOptions().width,
+      "colour"_a = "quality", "group"_a = nb::none(), "group_names"_a = std::vector<std::string>(),
+      "title"_a = "", "overlay"_a = nb::list(),
+      R"(A picture by the name: .svg .png .pdf, `width` pixels (points in .svg and .pdf) wide. Added points are marked with
+a ring, lines of `overlay` (each (k, 2)) drawn over the mesh. `group`, for colour "group": of each face 0 (plain),
+1 (strong), 2 or 3. Line width and point marks adapt to the number of faces; readable from 20 points to 200,000.
+
+Raises Error: file, bad-option.)");
+}
+
+}  // namespace
+
+void bind_io(nb::module_& m) {
+  bind_points(m);
+  bind_mesh_file(m);
+  bind_pictures(m);
+}
+
+}  // namespace quadloom::python
