@@ -31,7 +31,7 @@ class Declaration:
 
     def __init__(self, node, name, location):
         self.name = name
-        self.header = pathlib.PurePath(location.get("file")).name
+        self.header = pathlib.PurePath(location.get("file")).stem
         self.line = int(location.get("line"))
         self.last = max(self.line, int(location.get("bodyend", "-1")))
         self.text = "\n\n".join(filter(None, (paragraph(p) for d in ("briefdescription", "detaileddescription")
@@ -112,31 +112,40 @@ def blocks(found, lines):
         yield block
 
 
-def header_page(header, found, pages):
-    lines = header.read_text().splitlines()
-    intro = " ".join(line.removeprefix("//").strip() for line in lines[:lines.index("#pragma once")])
-    parts = [f"# {header.name}", intro, f"```cpp\n#include <quadloom/{header.name}>\n```"]
+def intro(lines):
+    """What a header says of itself in its first lines."""
+    return " ".join(line.removeprefix("//").strip() for line in lines[:lines.index("#pragma once")])
+
+
+def header_page(lines, name, found, where):
+    parts = [f"# {name}.hpp", intro(lines), f"```cpp\n#include <quadloom/{name}.hpp>\n```"]
     place = 0
     for block in blocks(found, lines):
         parts += [f"## {title}" for title in SECTION.findall("\n".join(lines[place:block[0].line - 1]) + "\n")]
         names = [*dict.fromkeys(one.name for one in block)]
         parts += [f'<a id="{anchor(name)}"></a>' for name in names[1:]]
         parts.append(f"### {', '.join(names)} {{ #{anchor(names[0])} }}")
-        parts += [link_names(one.text, pages, header.stem) for one in block if one.text]
+        parts += [link_names(one.text, where, name) for one in block if one.text]
         place = block[-1].last
         parts.append("```cpp\n" + "\n".join(lines[block[0].line - 1:place]) + "\n```")
     return "\n\n".join(parts) + "\n"
 
 
-def pages(root):
-    """{name of a header: its page}, in the order of quadloom.hpp, io.hpp at the end."""
-    folder = root / "include/quadloom"
-    with tempfile.TemporaryDirectory() as scratch:
-        settings = DOXYGEN.format(headers=folder, output=scratch)
-        subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
-        found = [*declarations(pathlib.Path(scratch, "xml"))]
-    where = {d.name: d.header.removesuffix(".hpp") for d in found}
-    names = re.findall(r"quadloom/(\w+)\.hpp", (folder / "quadloom.hpp").read_text()) + ["io"]
-    names = [name for name in names if name in where.values()]
-    return {name: header_page(folder / f"{name}.hpp", [d for d in found if d.header == f"{name}.hpp"], where)
-            for name in names}
+class Headers:
+    """The public headers, in the order of quadloom.hpp, io.hpp at the end."""
+
+    def __init__(self, folder):
+        order = re.findall(r"quadloom/(\w+)\.hpp", (folder / "quadloom.hpp").read_text()) + ["io"]
+        self.lines = {name: (folder / f"{name}.hpp").read_text().splitlines() for name in order}
+        with tempfile.TemporaryDirectory() as scratch:
+            settings = DOXYGEN.format(headers=folder, output=scratch)
+            subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
+            self.found = [d for d in declarations(pathlib.Path(scratch, "xml")) if d.header in self.lines]
+        self.where = {d.name: d.header for d in self.found}
+
+    def intros(self):
+        return {name: intro(lines) for name, lines in self.lines.items()}
+
+    def pages(self):
+        return {name: header_page(lines, name, [d for d in self.found if d.header == name], self.where)
+                for name, lines in self.lines.items()}

@@ -11,6 +11,7 @@ from mkdocs.structure.files import File
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import command_reference  # noqa: E402
 import cpp_reference  # noqa: E402
+import python_reference  # noqa: E402
 from papers import Papers  # noqa: E402
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -22,8 +23,11 @@ HEADER_LINK = re.compile(r"\]\((?:\.\./)+include/quadloom/(\w+)\.hpp\)")
 def made_pages():
     yield "papers.md", PAPERS.page()
     yield "changelog.md", (ROOT / "CHANGELOG.md").read_text()
-    for name, page in cpp_reference.pages(ROOT).items():
+    headers = cpp_reference.Headers(ROOT / "include/quadloom")
+    for name, page in headers.pages().items():
         yield f"reference/cpp/{name}.md", page
+    for name, page in python_reference.pages(headers.where, headers.intros()).items():
+        yield f"reference/python/{name}.md", page
 
 
 def on_files(files, config):
