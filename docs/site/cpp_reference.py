@@ -132,10 +132,12 @@ def header_page(lines, name, found, where):
 
 
 class Headers:
-    """The public headers, in the order of quadloom.hpp, io.hpp at the end."""
+    """The public headers, in the order of the rooms in CMakeLists.txt, io at the end."""
 
-    def __init__(self, folder):
-        order = re.findall(r"quadloom/(\w+)\.hpp", (folder / "quadloom.hpp").read_text()) + ["io"]
+    def __init__(self, root):
+        folder = root / "include/quadloom"
+        rooms = re.search(r"set\(rooms (.*)\)", (root / "CMakeLists.txt").read_text()).group(1).split()
+        order = [name for name in [*rooms, "io"] if (folder / f"{name}.hpp").exists()]
         self.lines = {name: (folder / f"{name}.hpp").read_text().splitlines() for name in order}
         with tempfile.TemporaryDirectory() as scratch:
             settings = DOXYGEN.format(headers=folder, output=scratch)

@@ -23,15 +23,32 @@ HEADER_LINK = re.compile(r"\]\((?:\.\./)+include/quadloom/(\w+)\.hpp\)")
 def made_pages():
     yield "papers.md", PAPERS.page()
     yield "changelog.md", (ROOT / "CHANGELOG.md").read_text()
-    headers = cpp_reference.Headers(ROOT / "include/quadloom")
-    for name, page in headers.pages().items():
-        yield f"reference/cpp/{name}.md", page
+    headers = cpp_reference.Headers(ROOT)
     for name, page in python_reference.pages(headers.where, headers.intros()).items():
         yield f"reference/python/{name}.md", page
+    for name, page in headers.pages().items():
+        yield f"reference/cpp/{name}.md", page
+
+
+MADE = dict(made_pages())
+
+
+def with_folders(nav):
+    """The navigation, where a folder of made pages stands for the pages in it."""
+    if isinstance(nav, list):
+        return [with_folders(item) for item in nav]
+    if isinstance(nav, dict):
+        return {title: with_folders(target) for title, target in nav.items()}
+    return [uri for uri in MADE if uri.startswith(f"{nav}/")] or nav
+
+
+def on_config(config):
+    config.nav = with_folders(config.nav)
+    return config
 
 
 def on_files(files, config):
-    for uri, text in made_pages():
+    for uri, text in MADE.items():
         files.append(File.generated(config, uri, content=text))
     return files
 

@@ -1,4 +1,4 @@
-// Point sets to quadrilaterals.
+// Point sets, triangulations and polygons to quadrilaterals.
 #pragma once
 
 #include <array>
