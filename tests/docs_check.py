@@ -2,7 +2,8 @@
 """Checks the documentation against the tree. Prints what does not agree.
 
     docs_check.py ROOT         README's C++ block is examples/cpp/first_mesh.cpp, links lead somewhere,
-                               references named in docs/ are in references.bib, every code block says what it is
+                               references named in docs/ are in references.bib, every code block says what it is,
+                               a page an algorithm has a picture, guarantee, use, example and references
     docs_check.py --self-test  shows on made-up trees that each check can fail
 """
 import pathlib
@@ -38,12 +39,43 @@ def check_references(root, page):
             yield f"{page.relative_to(root)}: [@{name}] is not in docs/references.bib"
 
 
+PARTS_OF_A_PAGE = {  # of docs/algorithms, but for the index and the comparison
+    "a picture": r"^!\[.+\]\(\.\./images/",
+    "when to use it": r"^\*\*Use (it|them)\*\*",
+    "an example": r"^```(sh|console|cpp|python)$",
+    "its guarantee": r"^\*\*(Guarantee|What is proved)\b",
+    "references": r"^\*\*References\.\*\*",
+}
+
+
+def check_algorithm(root, page):
+    if page.parent != root / "docs/algorithms" or page.stem in ("index", "comparison"):
+        return
+    for part, pattern in PARTS_OF_A_PAGE.items():
+        if not re.search(pattern, page.read_text(), re.MULTILINE):
+            yield f"{page.relative_to(root)}: lacks {part}"
+
+
 def check(root):
     faults = [*check_snippet(root)]
     for page in sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("examples/**/*.md")]):
         faults += [*check_links(root, page), *check_references(root, page)]
-        faults += blocks.faults(page.read_text(), page.relative_to(root))
+        faults += [*check_algorithm(root, page), *blocks.faults(page.read_text(), page.relative_to(root))]
     return faults
+
+
+ALGORITHM = """![one](../images/one.svg)
+
+**Guarantee.** One.
+
+**Use it** rarely.
+
+```sh
+true
+```
+
+**References.** [@somebody-1999]
+"""
 
 
 def self_test():
@@ -52,6 +84,8 @@ def self_test():
         "examples/cpp/first_mesh.cpp": "int main() {}\n",
         "docs/page.md": "[back](../README.md), [@somebody-1999]\n",
         "docs/references.bib": "@article{somebody-1999,\n}\n",
+        "docs/images/one.svg": "<svg/>\n",
+        "docs/algorithms/one.md": ALGORITHM,
     }
     bad = [
         ("examples/cpp/first_mesh.cpp", "int main() { return 1; }\n", "verbatim"),
@@ -59,6 +93,11 @@ def self_test():
         ("docs/page.md", "![picture](images/gone.svg)\n", "gone.svg is not there"),
         ("docs/page.md", "[@nobody-2000]\n", "nobody-2000"),
         ("docs/page.md", "```\nwhat is it?\n```\n", "language ''"),
+        ("docs/algorithms/one.md", ALGORITHM.replace("![", "["), "lacks a picture"),
+        ("docs/algorithms/one.md", ALGORITHM.replace("Use", "Take"), "lacks when to use it"),
+        ("docs/algorithms/one.md", ALGORITHM.replace("sh", "text"), "lacks an example"),
+        ("docs/algorithms/one.md", ALGORITHM.replace("Guarantee", "Hope"), "lacks its guarantee"),
+        ("docs/algorithms/one.md", ALGORITHM.replace("References", "See"), "lacks references"),
     ]
 
     def faults(tree):
