@@ -29,11 +29,14 @@ class QuadEdges {
     const Pair c_a = at_c_a * at_c_a / (square1 * swapped(square0));
     return std::max(std::max(c_a[1], b_d[0]), std::max(c_a[0], b_d[1]));
   }
-  /// Whether the floating-point filter proves that all corners turn left.
+  /// How the corners c and a turn, as far as the floating-point filter proves it.
+  PairSigns turns_at_first_and_third() const {
+    return proven_difference(x1_ * swapped(y0_), y1_ * swapped(x0_));
+  }
+  /// Whether the filter proves that all corners turn left.
   bool proven_convex() const {
     const PairSigns b_d = proven_difference(x0_ * y1_, y0_ * x1_);
-    const PairSigns c_a = proven_difference(x1_ * swapped(y0_), y1_ * swapped(x0_));
-    return (b_d.positive & c_a.positive) == 3;
+    return (b_d.positive & turns_at_first_and_third().positive) == 3;
   }
 
  private:

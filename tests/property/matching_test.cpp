@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "dual/greedy_matching.hpp"
+#include "dual/pair_shape.hpp"
 #include "kernel/squareness.hpp"
 #include "quadloom/dual.hpp"
 #include "quadloom/generate.hpp"
@@ -49,6 +51,24 @@ TEST(GreedyMatching, TakesTheBestPairsFirst) {
     const DualMatching greedy = greedy_shape_matching(mesh), sorted = sorted_greedy(mesh);
     ASSERT_EQ(greedy.mate, sorted.mate);
     ASSERT_EQ(greedy.unmatched, sorted.unmatched);
+  }
+}
+
+TEST(GreedyMatching, PutsScarceTrianglesFirst) {
+  for (const Generator& g : generators()) {
+    SCOPED_TRACE(std::string(g.name) + " 3000, seed 4");
+    const Triangulation mesh = delaunay(generate_points(g.name, 3000, 4)).mesh;
+    const DualMatching shape = greedy_shape_matching(mesh);
+    const DualMatching scarce = dual::greedy_matching(mesh, dual::GreedyOrder::kShapeAndScarcity);
+    EXPECT_TRUE(is_matching(dual_graph(mesh), scarce));
+    for (TriangleId t = 0; t < scarce.mate.size(); ++t) {
+      if (scarce.mate[t] != kNone) {
+        EXPECT_GE(dual::pair_squareness(mesh, scarce.mate[t]), 0);
+      }
+    }
+    if (std::string(g.name) == "uniform") {
+      EXPECT_LT(4 * scarce.unmatched, 3 * shape.unmatched);
+    }
   }
 }
 
