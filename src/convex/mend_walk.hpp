@@ -30,12 +30,13 @@ class MendWalker {
  private:
   template <typename Merge>
   void sweep(Merge merge);
+  bool is_large() const;
   void walk_convexly();
   void walk_deeply();
   void walk_anyhow();
 
   quadrangulate::PairedMesh& mesh_;
-  quadrangulate::QuickWalker quick_;
+  quadrangulate::QuickWalker<quadrangulate::PairedMesh> quick_;
   quadrangulate::Walker walker_;
   quadrangulate::SteinerCrossing crossing_;
   std::function<void(std::span<const TriangleId>)> touch_;

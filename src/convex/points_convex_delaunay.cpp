@@ -30,15 +30,17 @@ std::optional<ConvexResult> convex_delaunay_quadrangulation(kernel::DelaunayInOr
 
   ConvexResult result;
   if (quads->steiner) result.steiner.push_back(*quads->steiner);
+  quadrangulate::PairedMesh mesh = to_paired_mesh(std::move(quads->mesh));
   result.statistics.mending =
-      mend_quads(quads->mesh, options.seed, result.steiner, options.progress, Improve::kAll);
+      mend_quads(mesh, options.seed, result.steiner, options.progress, Improve::kAll);
   report_progress(options.progress, "numbering", 0);
   result.statistics.hull_points = quads->statistics.hull_points;
   result.input_vertices = quads->input_vertices;
   for (SteinerPoint& s : result.steiner) s = quads->order.given(s);
-  result.mesh = quadrangulate::to_quadrangulation(quads->mesh);
+  result.mesh = quadrangulate::to_quadrangulation(mesh);
+  result.not_convex =
+      quads_not_convex(result.mesh);  // while neighbours are near each other in memory
   quads->order.restore(result.mesh);
-  result.not_convex = quads_not_convex(result.mesh);
   return result;
 }
 

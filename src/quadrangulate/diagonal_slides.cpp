@@ -60,8 +60,9 @@ float most_elsewhere(const std::array<Point, 6>& p) {
 
 /// The quad corner[first .. first + 3] into two triangle slots; its fourth side, inside the
 /// hexagon, is returned.
-HalfedgeId set_quad(PairedMesh& mesh, QuadPair& hexagon, const std::array<HalfedgeId, 6>& outer,
-                    std::size_t first, TriangleId t, TriangleId u) {
+HalfedgeId set_quad(PairedMesh& mesh, QuadPair<PairedMesh>& hexagon,
+                    const std::array<HalfedgeId, 6>& outer, std::size_t first, TriangleId t,
+                    TriangleId u) {
   const auto at = [&](std::size_t k) { return (first + k) % 6; };
   const auto v = [&](std::size_t k) { return hexagon.corner[at(k)]; };
   HalfedgeId fourth = kNone;
@@ -92,58 +93,57 @@ HalfedgeId set_quad(PairedMesh& mesh, QuadPair& hexagon, const std::array<Halfed
   return fourth;
 }
 
+template <class Mesh>
 class Slider {
  public:
-  explicit Slider(PairedMesh& mesh)
-      : mesh_(mesh), worth_(mesh.mate.size(), kUnknown), waiting_(mesh.mate.size(), 0) {}
+  explicit Slider(Mesh& mesh)
+      : mesh_(mesh), worth_(mesh.face_count(), kUnknown), waiting_(mesh.face_count(), 0) {}
 
-  /// Looks at the triangle's quad, which goes to the list if it is poor.
-  void find_poor(TriangleId t) {
-    if (!mesh_.is_free(t) && worth_of(t) < kPoor) wait(t);
+  /// Looks at the face's quad, which goes to the list if it is poor.
+  void find_poor(std::uint32_t face) {
+    if (mesh_.is_quad(face) && worth_of(face) < kPoor) wait(face);
   }
   std::size_t run() {
     while (!todo_.empty()) {
-      const TriangleId t = todo_.back();
+      const std::uint32_t face = todo_.back();
       todo_.pop_back();
-      waiting_[t] = 0;
-      try_edges(t);
+      waiting_[face] = 0;
+      for (const HalfedgeId edge : mesh_.sides_of_quad(face)) try_edge(edge);
     }
     return slides_;
   }
-  const std::vector<TriangleId>& touched() const { return touched_; }
+  const std::vector<std::uint32_t>& touched() const { return touched_; }
 
  private:
-  float worth_of(TriangleId t) {
-    if (worth_[t] != kUnknown) return worth_[t];
-    const HalfedgeId h = mesh_.mate[t], twin = mesh_.tri.twin[h];
-    const auto& tri = mesh_.tri;
-    const float now = worth(mesh_.point(tri.origin(h)), mesh_.point(tri.apex(twin)),
-                            mesh_.point(tri.target(h)), mesh_.point(tri.apex(h)));
-    worth_[t] = worth_[triangle_of(twin)] = now;
+  float worth_of(std::uint32_t face) {
+    if (worth_[face] != kUnknown) return worth_[face];
+    const std::array<VertexId, 4> corner = mesh_.corners_of_quad(face);
+    const auto at = [&](std::size_t i) { return mesh_.point(corner[i]); };
+    const float now = worth(at(0), at(1), at(2), at(3));
+    for (const std::uint32_t slot : mesh_.slots_of_quad(face)) worth_[slot] = now;
     return now;
   }
-  void wait(TriangleId t) {
-    if (waiting_[t] != 0) return;
-    waiting_[t] = 1;
-    todo_.push_back(t);
+  void wait(std::uint32_t face) {
+    if (waiting_[face] != 0) return;
+    waiting_[face] = 1;
+    todo_.push_back(face);
   }
 
-  /// The edges of t between its quad and others.
-  void try_edges(TriangleId t) {
-    for (HalfedgeId edge = 3 * t; edge < 3 * t + 3; ++edge) {
-      const HalfedgeId twin = mesh_.tri.twin[edge];
-      if (mesh_.is_free(t) || edge == mesh_.mate[t] || twin == kNone) continue;
-      const TriangleId other = triangle_of(twin);
-      // If the neighbour waits too, the edge is looked at from there, when it is its turn.
-      if (waiting_[other] != 0 || mesh_.is_free(other)) continue;
-      const float mine = worth_of(t), theirs = worth_of(other);
-      if (std::min(mine, theirs) >= kPoor || mine + theirs >= kEnough) continue;
-      slide_if_better(edge, mine + theirs);
-    }
+  /// Slides the edge if it lies between two quads and that is better. Where a slide before has made it the inner
+  /// edge of a quad, or another edge, that edge is looked at now or later as well.
+  void try_edge(HalfedgeId edge) {
+    const HalfedgeId twin = mesh_.twin(edge);
+    if (twin == kNone) return;
+    const std::uint32_t face = Mesh::face_of(edge), other = Mesh::face_of(twin);
+    // If the neighbour waits too, the edge is looked at from there, when it is its turn.
+    if (waiting_[other] != 0 || mesh_.is_free(other) || mesh_.is_inside(edge)) return;
+    const float mine = worth_of(face), theirs = worth_of(other);
+    if (std::min(mine, theirs) >= kPoor || mine + theirs >= kEnough) return;
+    slide_if_better(edge, mine + theirs);
   }
 
   void slide_if_better(HalfedgeId edge, float now) {
-    QuadPair hexagon = quad_pair_at(mesh_, edge);
+    QuadPair<Mesh> hexagon = quad_pair_at(mesh_, edge);
     if (!hexagon.simple) return;
     std::array<Point, 6> p;
     for (std::size_t k = 0; k < 6; ++k) p[k] = mesh_.point(hexagon.corner[k]);
@@ -163,37 +163,30 @@ class Slider {
     part_anew(mesh_, hexagon, parting);
     ++slides_;
     touched_.insert(touched_.end(), hexagon.slot.begin(), hexagon.slot.end());
-    for (const TriangleId touched : hexagon.slot) worth_[touched] = kUnknown;
-    for (const TriangleId touched : hexagon.slot) wait(touched);
+    for (const std::uint32_t touched : hexagon.slot) worth_[touched] = kUnknown;
+    for (const std::uint32_t touched : hexagon.slot) wait(touched);
   }
 
-  PairedMesh& mesh_;
-  std::vector<float> worth_;  // of the triangle's quad
+  Mesh& mesh_;
+  std::vector<float> worth_;  // of the face's quad
   std::vector<char> waiting_;
-  std::vector<TriangleId> todo_;
-  std::vector<TriangleId> touched_;  // by slides
+  std::vector<std::uint32_t> todo_;
+  std::vector<std::uint32_t> touched_;  // by slides
   std::size_t slides_ = 0;
 };
 
-}  // namespace
-
-QuadPair quad_pair_at(const PairedMesh& mesh, HalfedgeId edge) {
-  const QuadBehind above = quad_behind(mesh, edge);
-  const QuadBehind below = quad_behind(mesh, mesh.tri.twin[edge]);
-  QuadPair pair;
-  std::copy(above.side.begin(), above.side.end(), pair.inner.begin());
-  std::copy(below.side.begin(), below.side.end(), pair.inner.begin() + 3);
-  for (std::size_t k = 0; k < 6; ++k) pair.corner[k] = mesh.tri.origin(pair.inner[k]);
-  pair.slot = {above.near, above.far, below.near, below.far};
-  for (const std::size_t i : {1U, 2U}) {
-    for (const std::size_t j : {4U, 5U}) {
-      if (pair.corner[i] == pair.corner[j]) pair.simple = false;
-    }
+template <class Mesh>
+std::size_t slide_all(Mesh& mesh) {
+  Slider<Mesh> slider(mesh);
+  for (auto face = static_cast<std::uint32_t>(mesh.face_count()); face-- > 0;) {
+    slider.find_poor(face);
   }
-  return pair;
+  return slider.run();
 }
 
-void part_anew(PairedMesh& mesh, QuadPair& hexagon, std::size_t first) {
+}  // namespace
+
+void part_anew(PairedMesh& mesh, QuadPair<PairedMesh>& hexagon, std::size_t first) {
   std::array<HalfedgeId, 6> outer;
   for (std::size_t k = 0; k < 6; ++k) outer[k] = mesh.tri.twin[hexagon.inner[k]];
   const auto [t, u, v, w] = hexagon.slot;
@@ -201,14 +194,27 @@ void part_anew(PairedMesh& mesh, QuadPair& hexagon, std::size_t first) {
             set_quad(mesh, hexagon, outer, first + 3, v, w));
 }
 
-std::size_t slide_diagonals(PairedMesh& mesh) {
-  Slider slider(mesh);
-  for (auto t = static_cast<TriangleId>(mesh.mate.size()); t-- > 0;) slider.find_poor(t);
-  return slider.run();
+void part_anew(QuadMesh& mesh, QuadPair<QuadMesh>& hexagon, std::size_t first) {
+  std::array<HalfedgeId, 6> outer;
+  for (std::size_t k = 0; k < 6; ++k) outer[k] = mesh.twin(hexagon.inner[k]);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::size_t at = (first + k) % 6;
+    const HalfedgeId side = 4 * hexagon.slot[k / 3] + static_cast<HalfedgeId>(k % 3);
+    mesh.faces[side / 4].corner[side % 4] = hexagon.corner[at];
+    mesh.link(side, outer[at]);
+    hexagon.inner[at] = side;
+  }
+  for (const std::size_t half : {0U, 1U}) {
+    mesh.faces[hexagon.slot[half]].corner[3] = hexagon.corner[(first + 3 * half + 3) % 6];
+  }
+  mesh.link(4 * hexagon.slot[0] + 3, 4 * hexagon.slot[1] + 3);
 }
 
+std::size_t slide_diagonals(PairedMesh& mesh) { return slide_all(mesh); }
+std::size_t slide_diagonals(QuadMesh& mesh) { return slide_all(mesh); }
+
 std::size_t slide_diagonals_at(PairedMesh& mesh, std::vector<TriangleId>& triangles) {
-  Slider slider(mesh);
+  Slider<PairedMesh> slider(mesh);
   for (const TriangleId t : triangles) slider.find_poor(t);
   const std::size_t slides = slider.run();
   triangles.insert(triangles.end(), slider.touched().begin(), slider.touched().end());

@@ -13,6 +13,31 @@ namespace quadloom::quadrangulate {
 /// mate[t] is the halfedge of t inside its quad, kNone for a free triangle. An edge that must stay
 /// has no twin, so that nothing crosses it.
 struct PairedMesh {
+  /// What PairedMesh and QuadMesh have in common for those that work on either; here a face is a triangle, and a quad
+  /// two of them.
+  static constexpr std::size_t kSlots = 2;
+  std::size_t face_count() const { return mate.size(); }
+  bool is_quad(TriangleId t) const { return mate[t] != kNone; }
+  static TriangleId face_of(HalfedgeId h) { return triangle_of(h); }
+  HalfedgeId twin(HalfedgeId h) const { return tri.twin[h]; }
+  VertexId origin(HalfedgeId h) const { return tri.origin(h); }
+  VertexId apex(HalfedgeId h) const { return tri.apex(h); }
+  static std::array<HalfedgeId, 3> sides_of_free(TriangleId t) {
+    return {3 * t, 3 * t + 1, 3 * t + 2};
+  }
+  /// The sides of the quad of t that are t's.
+  std::array<HalfedgeId, 2> sides_of_quad(TriangleId t) const {
+    return {next_halfedge(mate[t]), previous_halfedge(mate[t])};
+  }
+  bool is_inside(HalfedgeId h) const { return mate[triangle_of(h)] == h; }
+  std::array<VertexId, 4> corners_of_quad(TriangleId t) const {
+    const HalfedgeId h = mate[t];
+    return {tri.origin(h), tri.apex(tri.twin[h]), tri.target(h), tri.apex(h)};
+  }
+  std::array<TriangleId, 2> slots_of_quad(TriangleId t) const {
+    return {t, triangle_of(tri.twin[mate[t]])};
+  }
+
   Triangulation tri;
   std::vector<HalfedgeId> mate;
   std::vector<double> z;           // of a surface in space, else empty
@@ -82,6 +107,9 @@ struct QuadBehind {
   std::array<HalfedgeId, 3> side;
   TriangleId near = kNone;  // the triangle of `enter`
   TriangleId far = kNone;
+
+  TriangleId name() const { return near < far ? near : far; }
+  std::array<TriangleId, 2> slots() const { return {near, far}; }
 };
 inline QuadBehind quad_behind(const PairedMesh& mesh, HalfedgeId enter) {
   const TriangleId near = triangle_of(enter);

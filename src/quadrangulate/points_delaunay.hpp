@@ -5,14 +5,14 @@
 #include <span>
 
 #include "kernel/delaunay_in_order.hpp"
-#include "quadrangulate/paired_mesh.hpp"
+#include "quadrangulate/quad_mesh.hpp"
 #include "quadrangulate/vertex_order.hpp"
 
 namespace quadloom::quadrangulate {
 
 /// The mesh before it is written out, its vertices in an order of its own.
 struct DelaunayQuads {
-  PairedMesh mesh;
+  QuadMesh mesh;
   VertexOrder order;
   std::size_t input_vertices = 0;
   std::optional<SteinerPoint> steiner;

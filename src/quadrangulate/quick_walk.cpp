@@ -44,21 +44,48 @@ struct Pentagon {
   std::array<VertexId, 5> corner;
   std::array<Point, 5> place;
 
-  Pentagon(const PairedMesh& mesh, VertexId a, VertexId b, VertexId c, const QuadBehind& quad)
-      : corner{b, c, a, mesh.tri.origin(quad.side[1]), mesh.tri.origin(quad.side[2])} {
+  template <class Mesh, class Quad>
+  Pentagon(const Mesh& mesh, VertexId a, VertexId b, VertexId c, const Quad& quad)
+      : corner{b, c, a, mesh.origin(quad.side[1]), mesh.origin(quad.side[2])} {
     for (std::size_t k = 0; k < 5; ++k) place[k] = mesh.point(corner[k]);
   }
   bool wrapped() const { return corner[1] == corner[3] || corner[1] == corner[4]; }
   Point at(std::size_t k) const { return place[k % 5]; }
+  kernel::QuadEdges without(std::size_t ear) const {
+    return {at(ear + 1), at(ear + 2), at(ear + 3), at(ear + 4)};
+  }
+  bool convex_without(std::size_t ear) const {
+    return classify_quad(at(ear + 1), at(ear + 2), at(ear + 3), at(ear + 4)) ==
+           QuadKind::kStrictlyConvex;
+  }
+  /// The ears that may leave a strictly convex quad if the quad is one, as bits, judged by rounded turns at c alone:
+  /// where b, c, a turn, and on which sides of the diagonals of the quad c is.
+  std::uint32_t likely_convex_cuts() const {
+    const auto& [b, c, a, d, e] = place;
+    const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
+    const double dx = d.x - c.x, dy = d.y - c.y, ex = e.x - c.x, ey = e.y - c.y;
+    const auto left = [](double p, double q) { return p - q <= 0 ? 0U : 1U; };  // true if unknown
+    const std::uint32_t at_b = left(ex * by, ey * bx), at_a = left(ax * dy, ay * dx);
+    const std::uint32_t cde = left(dx * ey, dy * ex), bcd = left(dx * by, dy * bx);
+    const std::uint32_t cae = left(ax * ey, ay * ex);
+    const std::uint32_t both = at_a & at_b & cde;
+    return (both & cae) | (both & bcd) << 2 | (at_b & cae) << 3 | (at_a & bcd) << 4;
+  }
   /// Of the quad that is left without an ear.
   double worst_cosine_without(std::size_t ear) const {
     return kernel::worst_squared_cosine(at(ear + 1), at(ear + 2), at(ear + 3), at(ear + 4));
   }
 };
 
-Point centre(const PairedMesh& mesh, TriangleId t) {
-  const auto at = [&](std::size_t i) { return mesh.point(mesh.tri.tri_vertex[3 * t + i]); };
-  return {at(0).x / 3 + at(1).x / 3 + at(2).x / 3, at(0).y / 3 + at(1).y / 3 + at(2).y / 3};
+template <class Mesh>
+std::array<Point, 3> corners_of_free(const Mesh& mesh, std::uint32_t t) {
+  std::array<Point, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = mesh.point(mesh.origin(Mesh::sides_of_free(t)[i]));
+  return p;
+}
+
+Point centre(const std::array<Point, 3>& p) {
+  return {p[0].x / 3 + p[1].x / 3 + p[2].x / 3, p[0].y / 3 + p[1].y / 3 + p[2].y / 3};
 }
 
 bool meet_convexly(Point a, Point b, Point c, Point d) {
@@ -67,10 +94,11 @@ bool meet_convexly(Point a, Point b, Point c, Point d) {
 
 }  // namespace
 
-bool QuickWalker::merge_over_quad(TriangleId start) {
+template <class Mesh>
+bool QuickWalker<Mesh>::merge_over_quad(TriangleId start) {
   start_ = start;
   OverQuad best{kNoWalk};
-  for (HalfedgeId h = 3 * start; h < 3 * start + 3; ++h) try_over(h, best);
+  for (const HalfedgeId h : Mesh::sides_of_free(start)) try_over(h, best);
   if (best.met == kNone) return false;
   step(best.enter, static_cast<int>(best.ear));
   mesh_.pair(best.met);
@@ -78,19 +106,20 @@ bool QuickWalker::merge_over_quad(TriangleId start) {
   return true;
 }
 
-void QuickWalker::try_over(HalfedgeId exit, OverQuad& best) const {
-  const HalfedgeId enter = mesh_.tri.twin[exit];
-  if (enter == kNone || mesh_.is_free(triangle_of(enter))) return;
-  const QuadBehind quad = quad_behind(mesh_, enter);
+template <class Mesh>
+void QuickWalker<Mesh>::try_over(HalfedgeId exit, OverQuad& best) const {
+  const HalfedgeId enter = mesh_.twin(exit);
+  if (enter == kNone || mesh_.is_free(Mesh::face_of(enter))) return;
+  const auto quad = quad_behind(mesh_, enter);
   for (std::size_t side = 0; side < 3; ++side) {
-    const HalfedgeId met = mesh_.tri.twin[quad.side[side]];
-    if (met == kNone || !mesh_.is_free(triangle_of(met)) || triangle_of(met) == start_) continue;
-    const Pentagon pentagon(mesh_, mesh_.tri.origin(exit), mesh_.tri.target(exit),
-                            mesh_.tri.apex(exit), quad);
+    const HalfedgeId met = mesh_.twin(quad.side[side]);
+    if (met == kNone || !mesh_.is_free(Mesh::face_of(met)) || Mesh::face_of(met) == start_)
+      continue;
+    const Pentagon pentagon(mesh_, mesh_.origin(exit), mesh_.origin(enter), mesh_.apex(exit), quad);
     if (pentagon.wrapped()) return;
     // The edge to the free triangle goes from corner k to the next; one of the two is the ear.
     const std::size_t k = side + 2;
-    const Point a = pentagon.at(k), b = pentagon.at(k + 1), d = mesh_.point(mesh_.tri.apex(met));
+    const Point a = pentagon.at(k), b = pentagon.at(k + 1), d = mesh_.point(mesh_.apex(met));
     const std::uint32_t cuts = PentagonTurns(pentagon.place).convex_cuts();
     for (const std::size_t ear : {k, (k + 1) % 5}) {
       const Point c = pentagon.at(ear == k ? k + 4 : k + 2);
@@ -102,7 +131,8 @@ void QuickWalker::try_over(HalfedgeId exit, OverQuad& best) const {
   }
 }
 
-bool QuickWalker::merge(TriangleId start, WalkQuads quads, std::size_t nodes) {
+template <class Mesh>
+bool QuickWalker<Mesh>::merge(TriangleId start, WalkQuads quads, std::size_t nodes) {
   start_ = start;
   quads_ = quads;
   if (!search(nodes)) return false;
@@ -112,8 +142,9 @@ bool QuickWalker::merge(TriangleId start, WalkQuads quads, std::size_t nodes) {
   return true;
 }
 
-bool QuickWalker::merge_far(TriangleId start, std::span<const TriangleId> others,
-                            std::size_t nodes) {
+template <class Mesh>
+bool QuickWalker<Mesh>::merge_far(TriangleId start, std::span<const TriangleId> others,
+                                  std::size_t nodes) {
   start_ = start;
   if (!aim_at_nearest(others)) return false;
   const bool merged = merge(start, WalkQuads::kAny, nodes);
@@ -122,51 +153,53 @@ bool QuickWalker::merge_far(TriangleId start, std::span<const TriangleId> others
 }
 
 /// The nearest in the plane; what the way costs is guessed from the size of the triangle.
-bool QuickWalker::aim_at_nearest(std::span<const TriangleId> others) {
-  const Point from = centre(mesh_, start_);
+template <class Mesh>
+bool QuickWalker<Mesh>::aim_at_nearest(std::span<const TriangleId> others) {
+  const Point from = centre(corners_of_free(mesh_, start_));
   double nearest = HUGE_VAL;
   for (const TriangleId t : others) {
     if (t == start_ || !mesh_.is_free(t)) continue;
-    const Point to = centre(mesh_, t);
+    const Point to = centre(corners_of_free(mesh_, t));
     const double distance = std::hypot(to.x - from.x, to.y - from.y);
     if (!(distance < nearest)) continue;
     nearest = distance;
     aim_ = to;
   }
-  const auto corner = [&](std::size_t i) {
-    return mesh_.point(mesh_.tri.tri_vertex[3 * start_ + i]);
-  };
+  const std::array<Point, 3> corner = corners_of_free(mesh_, start_);
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = corner(i), b = corner((i + 1) % 3);
+    const Point a = corner[i], b = corner[(i + 1) % 3];
     size = std::max(size, std::hypot(b.x - a.x, b.y - a.y));
   }
   cost_of_length_ = kHop / size;
   return nearest < HUGE_VAL;
 }
 
-std::uint32_t QuickWalker::cost_to_aim(const Node& node) const {
+template <class Mesh>
+std::uint32_t QuickWalker<Mesh>::cost_to_aim(const Node& node) const {
   const Point a = mesh_.point(node.corner[0]), c = mesh_.point(node.corner[2]);
   const double x = a.x / 2 + c.x / 2 - aim_.x, y = a.y / 2 + c.y / 2 - aim_.y;
   const double cost = cost_of_length_ * std::sqrt(x * x + y * y);
   return cost < 1e6 ? static_cast<std::uint32_t>(cost) : 1'000'000;
 }
 
-bool QuickWalker::merge_after_slide(TriangleId start, std::size_t nodes) {
-  for (HalfedgeId h = 3 * start; h < 3 * start + 3; ++h) {
-    if (mesh_.tri.twin[h] == kNone || mesh_.is_free(triangle_of(mesh_.tri.twin[h]))) continue;
+template <class Mesh>
+bool QuickWalker<Mesh>::merge_after_slide(TriangleId start, std::size_t nodes) {
+  for (const HalfedgeId h : Mesh::sides_of_free(start)) {
+    if (mesh_.twin(h) == kNone || mesh_.is_free(Mesh::face_of(mesh_.twin(h)))) continue;
     start_ = start;
     for (std::size_t side = 0; side < 3; ++side) {
-      if (try_slides(quad_behind(mesh_, mesh_.tri.twin[h]).side[side], nodes)) return true;
+      if (try_slides(quad_behind(mesh_, mesh_.twin(h)).side[side], nodes)) return true;
     }
   }
   return false;
 }
 
-bool QuickWalker::try_slides(HalfedgeId edge, std::size_t nodes) {
-  const HalfedgeId beyond = mesh_.tri.twin[edge];
-  if (beyond == kNone || mesh_.is_free(triangle_of(beyond))) return false;
-  QuadPair pair = quad_pair_at(mesh_, edge);
+template <class Mesh>
+bool QuickWalker<Mesh>::try_slides(HalfedgeId edge, std::size_t nodes) {
+  const HalfedgeId beyond = mesh_.twin(edge);
+  if (beyond == kNone || mesh_.is_free(Mesh::face_of(beyond))) return false;
+  auto pair = quad_pair_at(mesh_, edge);
   if (!pair.simple) return false;
   const auto convex = [&](std::size_t first) {
     const auto at = [&](std::size_t k) { return mesh_.point(pair.corner[(first + k) % 6]); };
@@ -186,8 +219,9 @@ bool QuickWalker::try_slides(HalfedgeId edge, std::size_t nodes) {
   return false;
 }
 
-bool QuickWalker::search(std::size_t nodes) {
-  search_of_.resize(mesh_.mate.size());
+template <class Mesh>
+bool QuickWalker<Mesh>::search(std::size_t nodes) {
+  search_of_.resize(mesh_.face_count());
   ++searches_;
   nodes_.clear();
   bucket_.fill(kNone);
@@ -196,11 +230,12 @@ bool QuickWalker::search(std::size_t nodes) {
   most_nodes_ = nodes;
   goal_ = kNone;
   goal_cost_ = kNone;
-  const TriangleId t = start_;
-  const auto& v = mesh_.tri.tri_vertex;
   Node first;
-  first.corner = {v[3 * t], v[3 * t + 1], v[3 * t + 2]};
-  first.exit = {3 * t, 3 * t + 1, 3 * t + 2};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const HalfedgeId side = Mesh::sides_of_free(start_)[i];
+    first.corner[i] = mesh_.origin(side);
+    first.beyond[i] = mesh_.twin(side);
+  }
   push(first);
   while (waiting_ > 0) {
     const std::uint32_t best = pop();
@@ -210,7 +245,8 @@ bool QuickWalker::search(std::size_t nodes) {
   return goal_ != kNone;
 }
 
-std::uint32_t QuickWalker::pop() {
+template <class Mesh>
+std::uint32_t QuickWalker<Mesh>::pop() {
   while (bucket_[cost_ % kRing] == kNone) ++cost_;
   std::uint32_t& bucket = bucket_[cost_ % kRing];
   const std::uint32_t node = bucket;
@@ -219,53 +255,74 @@ std::uint32_t QuickWalker::pop() {
   return node;
 }
 
-void QuickWalker::expand(std::uint32_t from) {
+template <class Mesh>
+void QuickWalker<Mesh>::expand(std::uint32_t from) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const HalfedgeId exit = nodes_[from].exit[i];
-    const HalfedgeId enter = exit == kNone ? kNone : mesh_.tri.twin[exit];
-    if (enter != kNone && !mesh_.is_free(triangle_of(enter))) try_ears(from, i);
+    const HalfedgeId enter = nodes_[from].beyond[i];
+    if (enter != kNone && !mesh_.is_free(Mesh::face_of(enter))) try_ears(from, i);
   }
 }
 
-void QuickWalker::try_ears(std::uint32_t from, std::size_t i) {
+template <class Mesh>
+void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
   const Node node = nodes_[from];
-  const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
-  const QuadBehind quad = quad_behind(mesh_, enter);
-  std::uint32_t& search = search_of_[std::min(quad.near, quad.far)];
+  const HalfedgeId enter = node.beyond[i];
+  const auto quad = quad_behind(mesh_, enter);
+  std::uint32_t& search = search_of_[quad.name()];
   if (search == searches_) return;
   search = searches_;
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   const Pentagon pentagon(mesh_, node.corner[i], node.corner[j], node.corner[k], quad);
   if (pentagon.wrapped()) return;
-  const std::array<HalfedgeId, 5> side = {node.exit[j], node.exit[k], quad.side[0], quad.side[1],
-                                          quad.side[2]};
+  const std::array<HalfedgeId, 5> beyond = {node.beyond[j], node.beyond[k],
+                                            mesh_.twin(quad.side[0]), mesh_.twin(quad.side[1]),
+                                            mesh_.twin(quad.side[2])};
   const auto cut = [&](std::size_t ear, std::uint32_t cost) {
     const std::size_t before = (ear + 4) % 5, after = (ear + 1) % 5;
-    push({from,
-          enter,
-          {pentagon.corner[before], pentagon.corner[ear], pentagon.corner[after]},
-          {side[before], side[ear], kNone},
-          node.cost + cost,
-          node.rank,
-          kNone,
-          static_cast<int>(ear)});
+    const Node made = {from,
+                       enter,
+                       {pentagon.corner[before], pentagon.corner[ear], pentagon.corner[after]},
+                       {beyond[before], beyond[ear], kNone},
+                       node.cost + cost,
+                       node.rank,
+                       kNone,
+                       static_cast<int>(ear)};
+    if (leads_on(made)) push(made);
   };
-  const PentagonTurns turns(pentagon.place);
-  const std::uint32_t own_ear = 1U << 1;  // that is where the triangle is
-  const std::uint32_t convex = turns.convex_cuts() & ~own_ear;
-  for (std::uint32_t cuts = convex; cuts != 0; cuts &= cuts - 1) {
-    const auto ear = static_cast<std::size_t>(std::countr_zero(cuts));
-    cut(ear, convex_cost(pentagon.worst_cosine_without(ear)));
+  std::uint32_t tried = 1U << 1;  // that is where the triangle is
+  for (std::uint32_t ears = pentagon.likely_convex_cuts(); ears != 0; ears &= ears - 1) {
+    const auto ear = static_cast<std::size_t>(std::countr_zero(ears));
+    const kernel::QuadEdges left = pentagon.without(ear);
+    if (!left.proven_convex() && !pentagon.convex_without(ear)) continue;
+    if (kernel::orient(pentagon.at(ear + 4), pentagon.at(ear), pentagon.at(ear + 1)) <= 0) continue;
+    tried |= 1U << ear;
+    cut(ear, convex_cost(left.worst_squared_cosine()));
   }
   if (quads_ == WalkQuads::kStrictlyConvex) return;
+  const PentagonTurns turns(pentagon.place);
   for (const std::size_t ear : {0U, 2U, 3U, 4U}) {
-    if ((convex >> ear & 1U) != 0 || turns.at(ear) <= 0) continue;
+    if ((tried >> ear & 1U) != 0 || turns.at(ear) <= 0) continue;
     const QuadKind kind = turns.without(ear);
-    if (kind != QuadKind::kNotSimple) cut(ear, kind == QuadKind::kFlatCorner ? kFlat : kReflex);
+    if (kind == QuadKind::kNotSimple) continue;
+    cut(ear, kind == QuadKind::kFlatCorner ? kFlat
+             : kind == QuadKind::kNonConvex
+                 ? kReflex
+                 : convex_cost(pentagon.without(ear).worst_squared_cosine()));
   }
 }
 
-void QuickWalker::push(const Node& node) {
+template <class Mesh>
+bool QuickWalker<Mesh>::leads_on(const Node& node) const {
+  for (const HalfedgeId enter : node.beyond) {
+    if (enter == kNone) continue;
+    if (mesh_.is_free(Mesh::face_of(enter))) return true;
+    if (search_of_[quad_behind(mesh_, enter).name()] != searches_) return true;
+  }
+  return false;
+}
+
+template <class Mesh>
+void QuickWalker<Mesh>::push(const Node& node) {
   const auto made = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
   std::uint32_t& rank = nodes_[made].rank;
@@ -279,15 +336,16 @@ void QuickWalker::push(const Node& node) {
 }
 
 /// Whether the node's triangle and a free one beside it make a quad.
-void QuickWalker::try_goals(std::uint32_t from) {
+template <class Mesh>
+void QuickWalker<Mesh>::try_goals(std::uint32_t from) {
   const Node& node = nodes_[from];
   for (std::size_t i = 0; i < 3; ++i) {
-    const HalfedgeId enter = node.exit[i] == kNone ? kNone : mesh_.tri.twin[node.exit[i]];
-    if (enter == kNone || !mesh_.is_free(triangle_of(enter)) || triangle_of(enter) == start_) {
+    const HalfedgeId enter = node.beyond[i];
+    if (enter == kNone || !mesh_.is_free(Mesh::face_of(enter)) || Mesh::face_of(enter) == start_) {
       continue;
     }
     const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
-    const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.tri.apex(enter));
+    const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.apex(enter));
     std::uint32_t cost = node.cost;
     if (meet_convexly(a, b, c, d)) {
       cost += convex_cost(kernel::worst_squared_cosine(a, d, b, c));
@@ -303,13 +361,15 @@ void QuickWalker::try_goals(std::uint32_t from) {
   }
 }
 
-void QuickWalker::step(HalfedgeId enter, int ear) {
+template <class Mesh>
+void QuickWalker<Mesh>::step(HalfedgeId enter, int ear) {
   const auto touched = recut_pentagon(mesh_, enter, ear);
   ++steps_;
   if (on_recut) on_recut(touched);
 }
 
-void QuickWalker::apply(std::uint32_t end) {
+template <class Mesh>
+void QuickWalker<Mesh>::apply(std::uint32_t end) {
   // Turned around, the parents lead from the start to the end.
   std::uint32_t after = kNone;
   while (end != kNone) {
@@ -322,5 +382,8 @@ void QuickWalker::apply(std::uint32_t end) {
     step(nodes_[at].enter, nodes_[at].ear);
   }
 }
+
+template class QuickWalker<PairedMesh>;
+template class QuickWalker<QuadMesh>;
 
 }  // namespace quadloom::quadrangulate

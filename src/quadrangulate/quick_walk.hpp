@@ -7,15 +7,17 @@
 #include <span>
 #include <vector>
 
+#include "quadrangulate/quad_mesh.hpp"
 #include "quadrangulate/walk.hpp"
 
 namespace quadloom::quadrangulate {
 
 /// Walks as in walk.hpp, for planar meshes and between free triangles alone. A search takes the first
-/// free triangle that it meets, and passes a quad once.
+/// free triangle that it meets, and passes a quad once. Mesh is a PairedMesh or a QuadMesh.
+template <class Mesh>
 class QuickWalker {
  public:
-  explicit QuickWalker(PairedMesh& mesh) : mesh_(mesh) {}
+  explicit QuickWalker(Mesh& mesh) : mesh_(mesh) {}
 
   /// The best-shaped walk of the free triangle through one quad to another one, strictly convex quads left
   /// behind; pairs them. False, and nothing changed, if there is none.
@@ -38,8 +40,8 @@ class QuickWalker {
   std::size_t walks() const { return walks_; }
   std::size_t steps() const { return steps_; }
 
-  /// Called after each re-cut with the triangles touched.
-  std::function<void(std::span<const TriangleId>)> on_recut;
+  /// Called after each re-cut with the faces touched.
+  std::function<void(std::span<const std::uint32_t>)> on_recut;
 
  private:
   /// The free triangle after some moves.
@@ -47,7 +49,8 @@ class QuickWalker {
     std::uint32_t parent = kNone;
     HalfedgeId enter = kNone;  // of the quad that was re-cut to get here; kNone for the start
     std::array<VertexId, 3> corner;
-    std::array<HalfedgeId, 3> exit;  // from corner i to i + 1; kNone for the edge just cut
+    std::array<HalfedgeId, 3> beyond;  // the edge from corner i to i + 1, seen from the other side;
+                                       // kNone for the edge just cut, and on the boundary
     std::uint32_t cost = 0;
     std::uint32_t rank = 0;      // the cost, and what is still to come if there is an aim
     std::uint32_t next = kNone;  // in its bucket
@@ -68,13 +71,14 @@ class QuickWalker {
   std::uint32_t pop();
   void expand(std::uint32_t from);
   void try_ears(std::uint32_t from, std::size_t i);
+  bool leads_on(const Node& node) const;
   void push(const Node& node);
   void try_goals(std::uint32_t from);
   void apply(std::uint32_t end);
   bool try_slides(HalfedgeId edge, std::size_t nodes);
   void step(HalfedgeId enter, int ear);
 
-  PairedMesh& mesh_;
+  Mesh& mesh_;
   TriangleId start_ = kNone;
   WalkQuads quads_ = WalkQuads::kStrictlyConvex;
   std::vector<Node> nodes_;
@@ -90,5 +94,8 @@ class QuickWalker {
   std::size_t walks_ = 0;
   std::size_t steps_ = 0;
 };
+
+extern template class QuickWalker<PairedMesh>;
+extern template class QuickWalker<QuadMesh>;
 
 }  // namespace quadloom::quadrangulate

@@ -2,15 +2,16 @@
 
 namespace quadloom::quadrangulate {
 
-std::vector<TriangleId> free_triangles(const PairedMesh& mesh) {
-  std::vector<TriangleId> free;
-  for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
+namespace {
+
+template <class Mesh>
+std::vector<std::uint32_t> list_free(const Mesh& mesh) {
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t t = 0; t < mesh.face_count(); ++t) {
     if (mesh.is_free(t)) free.push_back(t);
   }
   return free;
 }
-
-namespace {
 
 constexpr std::size_t kNear = 1000;       // nodes; within them are nearly all strictly convex walks
 constexpr std::size_t kAfterSlide = 200;  // and here most that a slide has opened
@@ -23,11 +24,26 @@ constexpr WalkLimits kDeepRounds[] = {
     {WalkQuads::kAny, 100'000},
 };
 
-template <typename Merge>
-void sweep(const PairedMesh& mesh, Merge merge) {
-  for (const TriangleId t : free_triangles(mesh)) {
+template <class Mesh, typename Merge>
+void sweep(const Mesh& mesh, Merge merge) {
+  for (const std::uint32_t t : list_free(mesh)) {
     if (mesh.is_free(t)) merge(t);
   }
+}
+
+}  // namespace
+
+std::vector<TriangleId> free_triangles(const PairedMesh& mesh) { return list_free(mesh); }
+std::vector<FaceId> free_triangles(const QuadMesh& mesh) { return list_free(mesh); }
+
+void walk_convexly(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh, const Progress& progress) {
+  report_progress(progress, "walking", 0);
+  sweep(mesh, [&](FaceId t) { quick.merge_over_quad(t); });
+  report_progress(progress, "walking", 0.2);
+  sweep(mesh, [&](FaceId t) {
+    if (quick.merge(t, WalkQuads::kStrictlyConvex, kNear)) return;
+    if (quick.locked()) quick.merge_after_slide(t, kAfterSlide);
+  });
 }
 
 void walk_deeply(Walker& walker, const PairedMesh& mesh) {
@@ -41,26 +57,10 @@ void walk_deeply(Walker& walker, const PairedMesh& mesh) {
   }
 }
 
-}  // namespace
-
-// Steps: walks over one quad, the best-shaped ones; walks that leave strictly convex quads, with the mesh
-// as it is or with a diagonal slid; thorough searches, as long as they cost next to nothing; walks that
-// leave any quads.
-void walk_quickly(QuickWalker& quick, Walker& walker, const PairedMesh& mesh,
-                  const Progress& progress) {
-  report_progress(progress, "walking", 0);
-  sweep(mesh, [&](TriangleId t) { quick.merge_over_quad(t); });
-  report_progress(progress, "walking", 0.2);
-  sweep(mesh, [&](TriangleId t) {
-    if (quick.merge(t, WalkQuads::kStrictlyConvex, kNear)) return;
-    if (quick.locked()) quick.merge_after_slide(t, kAfterSlide);
-  });
-  report_progress(progress, "walking", 0.8);
-  walk_deeply(walker, mesh);
-  sweep(mesh, [&](TriangleId t) { quick.merge(t, WalkQuads::kAny, kNear); });
-  const std::vector<TriangleId> far = free_triangles(mesh);
-  for (const TriangleId t : far) {
-    if (mesh.is_free(t)) quick.merge_far(t, far);
+void walk_anyhow(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh) {
+  const std::vector<FaceId> free = free_triangles(mesh);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (mesh.is_free(free[i])) quick.merge_far(free[i], std::span(free).subspan(i + 1));
   }
 }
 

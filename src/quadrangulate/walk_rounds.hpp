@@ -10,6 +10,7 @@
 namespace quadloom::quadrangulate {
 
 std::vector<TriangleId> free_triangles(const PairedMesh& mesh);
+std::vector<FaceId> free_triangles(const QuadMesh& mesh);
 
 /// What cheap searches do not bring together: a quad may be passed by several routes, and wheels turned.
 inline constexpr WalkLimits kLastPlanarRounds[] = {
@@ -46,10 +47,14 @@ inline constexpr WalkLimits kSurfaceRounds[] = {
     {WalkQuads::kAny, 10'000, 2, 0.94},           {WalkQuads::kAny, 10'000, 2, 0.7},
 };
 
-/// Brings the free triangles of a planar mesh together, but for one, or for some that only kLastPlanarRounds
-/// find a way for.
-void walk_quickly(QuickWalker& quick, Walker& walker, const PairedMesh& mesh,
-                  const Progress& progress);
+/// Brings free triangles together that have a short way through strictly convex quads; the best-shaped way if
+/// there is one through one quad.
+void walk_convexly(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh, const Progress& progress);
+/// The same by thorough searches, as long as they cost next to nothing: rows of points lock many triangles.
+void walk_deeply(Walker& walker, const PairedMesh& mesh);
+/// Brings free triangles together, leaving any quads behind: all but one, or some that only kLastPlanarRounds find a way
+/// for.
+void walk_anyhow(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh);
 
 /// In each round every triangle that is still free looks for another within the round's limits.
 /// Returns how many are free at the end.

@@ -21,6 +21,20 @@ PairedMesh greedily_paired(const std::vector<Point>& points) {
   return {std::move(mesh), std::move(mate), {}, {}};
 }
 
+/// The mesh to walk on, and a look at it as triangles in pairs.
+template <class Mesh>
+Mesh mesh_of(PairedMesh mesh);
+template <>
+PairedMesh mesh_of(PairedMesh mesh) {
+  return mesh;
+}
+template <>
+QuadMesh mesh_of(PairedMesh mesh) {
+  return to_quad_mesh(std::move(mesh));
+}
+const PairedMesh& pairs_of(const PairedMesh& mesh) { return mesh; }
+PairedMesh pairs_of(QuadMesh mesh) { return to_paired_mesh(std::move(mesh)); }
+
 std::size_t not_strictly_convex(const PairedMesh& mesh) {
   const Quadrangulation quads = to_quadrangulation(mesh);
   std::size_t count = 0;
@@ -53,17 +67,22 @@ std::vector<std::vector<VertexId>> faces_of(const PairedMesh& mesh) {
 const std::vector<std::string> kKinds = {"uniform", "grid",      "lines",
                                          "circle",  "bhrs-line", "bhrs-ring"};
 
-TEST(QuickWalk, StrictlyConvexWalksLeaveNoOtherQuads) {
+template <class Mesh>
+class QuickWalkOn : public ::testing::Test {};
+using Meshes = ::testing::Types<PairedMesh, QuadMesh>;
+TYPED_TEST_SUITE(QuickWalkOn, Meshes);
+
+TYPED_TEST(QuickWalkOn, StrictlyConvexWalksLeaveNoOtherQuads) {
   std::size_t over_quad = 0, longer = 0, after_slide = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     for (const std::string& kind : kKinds) {
       SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
-      PairedMesh mesh = greedily_paired(generate_points(kind, 150, seed));
+      auto mesh = mesh_of<TypeParam>(greedily_paired(generate_points(kind, 150, seed)));
       QuickWalker walker(mesh);
       std::size_t free = free_triangles(mesh).size();
-      for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
+      for (std::uint32_t t = 0; t < mesh.face_count(); ++t) {
         if (!mesh.is_free(t)) continue;
-        const auto before = faces_of(mesh);
+        const auto before = faces_of(pairs_of(mesh));
         if (walker.merge_over_quad(t)) {
           ++over_quad;
         } else if (walker.merge(t, WalkQuads::kStrictlyConvex, 300)) {
@@ -71,12 +90,12 @@ TEST(QuickWalk, StrictlyConvexWalksLeaveNoOtherQuads) {
         } else if (walker.merge_after_slide(t, 300)) {
           ++after_slide;
         } else {
-          EXPECT_EQ(faces_of(mesh), before);
+          EXPECT_EQ(faces_of(pairs_of(mesh)), before);
           continue;
         }
         free -= 2;
-        testing::check_paired_mesh(mesh, free);
-        EXPECT_EQ(not_strictly_convex(mesh), 0U);
+        testing::check_paired_mesh(pairs_of(mesh), free);
+        EXPECT_EQ(not_strictly_convex(pairs_of(mesh)), 0U);
         if (::testing::Test::HasFailure()) return;
       }
     }
@@ -86,17 +105,42 @@ TEST(QuickWalk, StrictlyConvexWalksLeaveNoOtherQuads) {
   EXPECT_GT(after_slide, 10U);
 }
 
+TEST(QuadMesh, HoldsTheSameFacesAsPairs) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const std::string& kind : kKinds) {
+      SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
+      const PairedMesh given = greedily_paired(generate_points(kind, 100, seed));
+      const std::size_t free = free_triangles(given).size();
+      const QuadMesh mesh = to_quad_mesh(PairedMesh(given));
+      for (HalfedgeId h = 0; h < 4 * mesh.face_count(); ++h) {
+        if (mesh.is_free(QuadMesh::face_of(h)) && h % 4 == 3) continue;
+        const HalfedgeId twin = mesh.twin(h);
+        if (twin == kNone) continue;
+        ASSERT_EQ(mesh.twin(twin), h);
+        ASSERT_EQ(mesh.origin(twin), mesh.origin(mesh.next(h)));
+      }
+      EXPECT_EQ(free_triangles(mesh).size(), free);
+      EXPECT_EQ(faces_of(pairs_of(mesh)), faces_of(given));
+      testing::check_paired_mesh(pairs_of(mesh), free);
+      const Quadrangulation quads = to_quadrangulation(QuadMesh(mesh));
+      EXPECT_EQ(quads.tri_vertex.size(), 3 * free);
+      EXPECT_EQ(quads.quad_count(), mesh.face_count() - free);
+    }
+  }
+}
+
 TEST(QuickWalk, TheSweepsLeaveNextToNothing) {
   std::size_t left = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     for (const std::string& kind : kKinds) {
       SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
-      PairedMesh mesh = greedily_paired(generate_points(kind, 200, seed));
+      QuadMesh mesh = to_quad_mesh(greedily_paired(generate_points(kind, 200, seed)));
       QuickWalker quick(mesh);
-      Walker walker(mesh);
-      walk_quickly(quick, walker, mesh, {});
+      walk_convexly(quick, mesh, {});
+      EXPECT_EQ(not_strictly_convex(pairs_of(mesh)), 0U);
+      walk_anyhow(quick, mesh);
       const std::size_t free = free_triangles(mesh).size();
-      testing::check_paired_mesh(mesh, free);
+      testing::check_paired_mesh(pairs_of(mesh), free);
       if (::testing::Test::HasFailure()) return;
       left += free / 2;
     }

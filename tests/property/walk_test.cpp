@@ -148,15 +148,22 @@ TEST(Slides, ImproveTheShapesAndKeepTheMeshInOrder) {
       PairedMesh mesh = unpaired(generate_points(kind, 40, seed));
       const std::size_t free = pair_at_random(mesh, random);
       const double before = total_worth(mesh);
+      const auto check = [&](const PairedMesh& after, std::size_t slid) {
+        testing::check_paired_mesh(after, free);
+        if (slid > 0) {
+          EXPECT_GT(total_worth(after), before);
+        } else {
+          EXPECT_EQ(total_worth(after), before);
+        }
+        slides += slid;
+      };
+      QuadMesh quads = to_quad_mesh(PairedMesh(mesh));
+      const std::size_t slid_quads = slide_diagonals(quads);
+      EXPECT_EQ(slide_diagonals(quads), 0U);  // it was at the top
+      check(to_paired_mesh(std::move(quads)), slid_quads);
       const std::size_t slid = slide_diagonals(mesh);
-      testing::check_paired_mesh(mesh, free);
-      if (slid > 0) {
-        EXPECT_GT(total_worth(mesh), before);
-      } else {
-        EXPECT_EQ(total_worth(mesh), before);
-      }
-      EXPECT_EQ(slide_diagonals(mesh), 0U);  // it was at the top
-      slides += slid;
+      EXPECT_EQ(slide_diagonals(mesh), 0U);
+      check(mesh, slid);
     }
   }
   EXPECT_GT(slides, 100U);

@@ -1,0 +1,168 @@
+#include "quadrangulate/quad_mesh.hpp"
+
+#include <utility>
+
+namespace quadloom::quadrangulate {
+
+void QuadMesh::pair(HalfedgeId h) {
+  //       c
+  //     /   .           a, d, b, c
+  //    a --- b    ->
+  //     .   /
+  //       d
+  const HalfedgeId g = twin(h);
+  const std::array<HalfedgeId, 4> old = {next(g), next(next(g)), next(h), next(next(h))};
+  Face quad;
+  for (std::size_t i = 0; i < 4; ++i) {
+    quad.corner[i] = origin(old[i]);
+    quad.twin[i] = twin(old[i]);
+  }
+  const FaceId f = face_of(h);
+  faces[f] = quad;
+  for (std::size_t i = 0; i < 4; ++i) link(4 * f + static_cast<HalfedgeId>(i), quad.twin[i]);
+  faces[face_of(g)] = {{kNone, kNone, kNone, 0}, {kNone, kNone, kNone, kNone}};
+}
+
+std::array<FaceId, 2> recut_pentagon(QuadMesh& mesh, HalfedgeId enter, int ear) {
+  const QuadMesh::Behind quad = quad_behind(mesh, enter);
+  const HalfedgeId shared = mesh.twin(enter);
+  const FaceId t = QuadMesh::face_of(shared), q = quad.face;
+  const std::array<HalfedgeId, 5> inner = {mesh.next(shared), mesh.next(mesh.next(shared)),
+                                           quad.side[0], quad.side[1], quad.side[2]};
+  // Turn the names so that the ear is at p[0] and the quad left is p[1], p[2], p[3], p[4].
+  std::array<VertexId, 5> p;
+  std::array<HalfedgeId, 5> outer;  // across the edge from p[k] to p[k + 1]
+  for (std::size_t k = 0; k < 5; ++k) {
+    const HalfedgeId h = inner[(static_cast<std::size_t>(ear) + k) % 5];
+    p[k] = mesh.origin(h);
+    outer[k] = mesh.twin(h);
+  }
+  mesh.faces[t].corner = {p[4], p[0], p[1], kNone};
+  mesh.faces[q].corner = {p[1], p[2], p[3], p[4]};
+  mesh.link(4 * t, outer[4]);
+  mesh.link(4 * t + 1, outer[0]);
+  mesh.link(4 * q, outer[1]);
+  mesh.link(4 * q + 1, outer[2]);
+  mesh.link(4 * q + 2, outer[3]);
+  mesh.link(4 * t + 2, 4 * q + 3);
+  return {t, q};
+}
+
+namespace {
+
+/// The face of each triangle, and where its sides are in it.
+class FaceOfTriangles {
+ public:
+  explicit FaceOfTriangles(const PairedMesh& mesh)
+      : face_(mesh.mate.size()), first_(mesh.mate.size()) {
+    for (TriangleId t = 0; t < face_.size(); ++t) {
+      const HalfedgeId h = mesh.mate[t];
+      const TriangleId other = h == kNone ? t : triangle_of(mesh.tri.twin[h]);
+      face_[t] = other < t ? face_[other] : count_++;
+      // The side after the inner one is side 2 of the quad for the first triangle, and side 0 for the second.
+      first_[t] =
+          h == kNone ? 0 : static_cast<std::uint8_t>((other < t ? 0 : 2) + 4 * (h - 3 * t + 1));
+    }
+  }
+  FaceId count() const { return count_; }
+  FaceId face(TriangleId t) const { return face_[t]; }
+  /// The halfedge that takes the place of g; of an inner one: any.
+  HalfedgeId side(HalfedgeId g) const {
+    const TriangleId t = triangle_of(g);
+    const HalfedgeId after_inner = first_[t] / 4, i = g - 3 * t;
+    const HalfedgeId steps = i >= after_inner ? i - after_inner : i + 3 - after_inner;
+    return 4 * face_[t] + first_[t] % 4 + steps;
+  }
+
+ private:
+  std::vector<FaceId> face_;
+  std::vector<std::uint8_t>
+      first_;  // the side of the quad, and four times the corner of the triangle, where it begins
+  FaceId count_ = 0;
+};
+
+}  // namespace
+
+QuadMesh to_quad_mesh(PairedMesh&& mesh) {
+  QuadMesh out;
+  const FaceOfTriangles where(mesh);
+  out.faces.resize(where.count());
+  for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
+    QuadMesh::Face& face = out.faces[where.face(t)];
+    const HalfedgeId inner = mesh.mate[t];
+    if (inner == kNone) face.corner[3] = face.twin[3] = kNone;
+    for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) {
+      if (g == inner) continue;
+      const HalfedgeId side = where.side(g) % 4, twin = mesh.tri.twin[g];
+      face.corner[side] = mesh.tri.origin(g);
+      face.twin[side] = twin == kNone ? kNone : where.side(twin);
+    }
+  }
+  out.points = std::move(mesh.tri.points);
+  return out;
+}
+
+PairedMesh to_paired_mesh(QuadMesh&& mesh) {
+  // A quad a, b, c, d becomes a, b, c and c, d, a, or b, c, d and d, a, b.
+  std::vector<TriangleId> first(mesh.face_count());
+  std::vector<char> from_second(mesh.face_count(), 0);
+  TriangleId count = 0;
+  for (FaceId f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.is_gone(f)) continue;
+    first[f] = count;
+    count += mesh.is_free(f) ? 1 : 2;
+    const auto at = [&](std::size_t i) { return mesh.point(mesh.faces[f].corner[i]); };
+    if (!mesh.is_free(f)) {
+      from_second[f] = split_by_first_diagonal(at(0), at(1), at(2), at(3)) ? 0 : 1;
+    }
+  }
+  const auto halfedge = [&](HalfedgeId side) {
+    const FaceId f = QuadMesh::face_of(side);
+    const HalfedgeId i = side % 4;
+    if (mesh.is_free(f)) return 3 * first[f] + i;
+    const HalfedgeId along = (i + 4 - static_cast<HalfedgeId>(from_second[f])) % 4;
+    return 3 * first[f] + (along < 2 ? along : along + 1);
+  };
+  PairedMesh out;
+  out.tri.tri_vertex.resize(3 * count);
+  out.tri.twin.resize(3 * count);
+  out.mate.resize(count);
+  for (FaceId f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.is_gone(f)) continue;
+    const QuadMesh::Face& face = mesh.faces[f];
+    const TriangleId t = first[f];
+    const std::size_t corners = mesh.is_free(f) ? 3 : 4;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const HalfedgeId h = halfedge(4 * f + static_cast<HalfedgeId>(i));
+      out.tri.tri_vertex[h] = face.corner[i];
+      out.tri.twin[h] = face.twin[i] == kNone ? kNone : halfedge(face.twin[i]);
+    }
+    out.mate[t] = kNone;
+    if (corners == 3) continue;
+    const std::size_t skip = static_cast<std::size_t>(from_second[f]);
+    out.tri.tri_vertex[3 * t + 2] = face.corner[(skip + 2) % 4];
+    out.tri.tri_vertex[3 * t + 5] = face.corner[skip];
+    out.tri.twin[3 * t + 2] = 3 * t + 5;
+    out.tri.twin[3 * t + 5] = 3 * t + 2;
+    out.mate[t] = 3 * t + 2;
+    out.mate[t + 1] = 3 * t + 5;
+  }
+  out.tri.points = std::move(mesh.points);
+  return out;
+}
+
+Quadrangulation to_quadrangulation(QuadMesh&& mesh) {
+  Quadrangulation out;
+  out.points = std::move(mesh.points);
+  out.quad_vertex.reserve(4 * mesh.face_count());
+  for (FaceId f = 0; f < mesh.face_count(); ++f) {
+    const auto& corner = mesh.faces[f].corner;
+    if (mesh.is_quad(f))
+      out.quad_vertex.insert(out.quad_vertex.end(), corner.begin(), corner.end());
+    if (mesh.is_free(f))
+      out.tri_vertex.insert(out.tri_vertex.end(), corner.begin(), corner.end() - 1);
+  }
+  return out;
+}
+
+}  // namespace quadloom::quadrangulate
