@@ -16,10 +16,14 @@ using quadrangulate::WalkQuads;
 
 namespace {
 
-constexpr std::size_t kNear = 1'000;  // nodes of a search
+/// Bad quads are rare in large meshes, and what locks a triangle is seldom far from it.
+constexpr std::size_t kLarge = 100'000;  // triangles
+constexpr std::size_t kNear = 1'000;     // nodes of a search
+constexpr std::size_t kNearIfLarge = 300;
 constexpr std::size_t kAfterSlide = 200;
-constexpr std::size_t kDeepNodes =
-    150'000;  // of thorough searches, for each walk(); what is left over adds up
+/// Nodes of thorough searches, for each walk(); what is left over adds up.
+constexpr std::size_t kDeepNodes = 150'000;
+constexpr std::size_t kDeepNodesIfLarge = 10'000;
 constexpr std::size_t kFar = 100'000;
 constexpr WalkLimits kDeepRounds[] = {
     {WalkQuads::kStrictlyConvex, 4'000, 2},
@@ -40,6 +44,8 @@ MendWalker::MendWalker(quadrangulate::PairedMesh& mesh,
     changed_.insert(changed_.end(), touched.begin(), touched.end());
   };
 }
+
+bool MendWalker::is_large() const { return mesh_.mate.size() > kLarge; }
 
 std::vector<TriangleId> MendWalker::walk(std::span<const TriangleId> apart) {
   free_.clear();
@@ -67,15 +73,16 @@ void MendWalker::sweep(Merge merge) {
 }
 
 void MendWalker::walk_convexly() {
+  const std::size_t near = is_large() ? kNearIfLarge : kNear;
   sweep([&](TriangleId t) {
-    if (quick_.merge(t, WalkQuads::kStrictlyConvex, kNear)) return;
+    if (quick_.merge(t, WalkQuads::kStrictlyConvex, near)) return;
     // A slide moves no sources.
     if (mesh_.source.empty() && quick_.locked()) quick_.merge_after_slide(t, kAfterSlide);
   });
 }
 
 void MendWalker::walk_deeply() {
-  deep_nodes_ += kDeepNodes;
+  deep_nodes_ += is_large() ? kDeepNodesIfLarge : kDeepNodes;
   for (const WalkLimits& limits : kDeepRounds) {
     sweep([&](TriangleId t) {
       if (deep_nodes_ == 0) return;
