@@ -133,11 +133,6 @@ def cpp_program(root):
     return "\n".join([*dict.fromkeys(includes), *bodies, '#line 1 "main"', f"int main() {{\n{calls}\n}}"]) + "\n"
 
 
-def write_if_changed(path, text):
-    if not path.exists() or path.read_text() != text:
-        path.write_text(text)
-
-
 # ---- That it can fail. ----
 
 def self_test():
@@ -151,6 +146,14 @@ def self_test():
         for bad in (block("sh", "false\ntrue\n"), block("console", "$ echo one\ntwo\n"), block("console", "$ false\n"),
                     block("console", "echo one\none\n")):
             assert [*run_shell_page([bad], folder, os.environ)], bad
+    with tempfile.TemporaryDirectory() as scratch:
+        root = pathlib.Path(scratch)
+        (root / "examples").mkdir()
+        for code, good in (("import math\n", True), ("assert False\n", False), ("x = (\n", False)):
+            (root / "README.md").write_text(f"```python\n{code}```\n")
+            assert good == (not [*run_python(root)]), code
+        (root / "README.md").write_text("```cpp\nint x = 1;\n```\n")
+        assert "int x = 1;" in cpp_program(root)
     for text, words in (("```\nx\n```\n", "language ''"), ("```py\nx\n```\n", "language 'py'"),
                         ("a\n\n    x = 1\n", "indented code")):
         assert any(words in fault for fault in blocks.faults(text, "page.md")), text
@@ -164,7 +167,7 @@ def main():
         return self_test()
     root, *rest = [pathlib.Path(arg).resolve() for arg in rest]
     if task == "cpp":
-        return write_if_changed(rest[0], cpp_program(root))
+        return rest[0].write_text(cpp_program(root))
     if task == "shell":
         count(root, "sh", "console", "cpp")
         faults = [*run_shell(root, rest[0])]
