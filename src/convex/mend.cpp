@@ -50,7 +50,7 @@ namespace {
 
 constexpr int kMostCycles = 200;  // of wandering and walks
 constexpr int kLeastCycles = 3;
-constexpr std::size_t kCycleTriangles = 6'000'000;  // triangles times cycles, between the two
+constexpr std::size_t kCycleTriangles = 3'000'000;  // triangles times cycles, between the two
 constexpr std::size_t kMostTries = 2;
 constexpr std::size_t kTiny = 100;               // triangles; there one try sees it all
 constexpr std::size_t kTriesTriangles = 16'000;  // triangles times tries, if there are several

@@ -24,7 +24,7 @@ constexpr double kPoor = 0.25;  // squareness; about 68% of random quads are bet
 constexpr int kRounds = 3;
 constexpr double kVeryPoor = 0.05;  // where so many are to be polished that not all tries are made
 constexpr std::size_t kMostTries = 6;
-constexpr std::size_t kClusters = 15'000;  // looked at in the first round, about
+constexpr std::size_t kClusters = 10'000;  // looked at in the first round, about
 constexpr std::size_t kLargest = 6;        // quads of a cluster
 constexpr double kLeastGain = 1e-6;
 

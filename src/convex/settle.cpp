@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostTries = 60'000;              // clusters, about 10 us each
 constexpr std::size_t kLeastMostTries = 1'000;          // on large meshes
-constexpr std::uint64_t kTryTriangles = 4'000'000'000;  // triangles times tries, between the two
+constexpr std::uint64_t kTryTriangles = 1'000'000'000;  // triangles times tries, between the two
 constexpr std::size_t kLeastPatience = 6'000;           // tries without a point less
 constexpr std::size_t kRoundsOfPatience = 100;          // the same, for each point
 constexpr std::size_t kMostMoreQuads = 5;               // than those around the point
