@@ -5,7 +5,8 @@
 //
 // merge:
 //   1. search      Dijkstra over moves as in walk.cpp, with costs in buckets that are lists of nodes
-//   2. try_ears    the turns of the pentagon's corners are judged together, without branches
+//   2. try_ears    five rounded turns at the triangle's far corner tell, without branches, which ears may leave a
+//                  strictly convex quad; these alone are judged exactly, the others only if any quad will do
 //   3. try_goals   a node that is next to a free triangle ends the search when it is made, not when it is
 //                  its turn: the walks found cost little more, and half of the nodes are never made
 //   4. apply       re-cuts the pentagons along the way
@@ -290,6 +291,7 @@ void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
     if (leads_on(made)) push(made);
   };
   std::uint32_t tried = 1U << 1;  // that is where the triangle is
+  // A quad that is not strictly convex, or a rounded turn, may mislead here: hence the exact tests.
   for (std::uint32_t ears = pentagon.likely_convex_cuts(); ears != 0; ears &= ears - 1) {
     const auto ear = static_cast<std::size_t>(std::countr_zero(ears));
     const kernel::QuadEdges left = pentagon.without(ear);
