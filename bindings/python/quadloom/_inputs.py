@@ -5,12 +5,14 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _interop
 from ._core import ErrorCode, Mesh, PolygonMesh
 from ._errors import Error
 
-#: A quadloom.Mesh, (points, faces), or a mesh of another package.
+#: A quadloom.Mesh, (points, faces), or a mesh of another package: a matplotlib.tri.Triangulation, a
+#: scipy.spatial.Delaunay, a meshio.Mesh.
 MeshLike: TypeAlias = "Mesh | tuple[ArrayLike, ArrayLike] | Any"
-#: A ring (k, 2), the rings of a polygon, or several polygons.
+#: A ring (k, 2), the rings of a polygon, several polygons, or an object with __geo_interface__, such as shapely's.
 PolygonsLike: TypeAlias = "ArrayLike | Sequence[ArrayLike] | Sequence[Sequence[ArrayLike]] | Any"
 
 
@@ -104,7 +106,8 @@ def _face_array(given):
 
 def is_mesh(given):
     """Whether it is a mesh by itself, and no array of points."""
-    return isinstance(given, Mesh) or isinstance(given, tuple) and len(given) == 2 and np.ndim(given[0]) == 2
+    return (isinstance(given, Mesh) or isinstance(given, tuple) and len(given) == 2 and np.ndim(given[0]) == 2
+            or _interop.is_mesh(given))
 
 
 def mesh(given, faces):
@@ -113,6 +116,8 @@ def mesh(given, faces):
         return PolygonMesh(given, faces)
     if isinstance(given, tuple) and len(given) >= 2:
         return PolygonMesh(*given)
+    if _interop.is_mesh(given):
+        return _interop.mesh(given)
     raise Error(f"a mesh is wanted, or points and faces, not {type(given).__name__}")
 
 
@@ -122,6 +127,8 @@ def polygons(given):
     """Polygons as lists of rings (k, 2) or (k, 3): a ring, a polygon's rings, or several polygons."""
     if given is None:
         return []
+    if _interop.is_polygons(given):
+        return _interop.polygons(given)
     depth = _depth(given)
     if depth == 2:
         return [[points(given)]]

@@ -117,6 +117,40 @@ nb::object notebook_picture(const Mesh& mesh, bool svg) {
   return nb::bytes(picture.data(), picture.size());
 }
 
+// A method that is a function of one of the package's modules in Python.
+template <typename... Extra>
+void def_python(nb::class_<Mesh>& mesh, const char* name, const char* module,
+                const Extra&... extra) {
+  mesh.def(
+      name,
+      [name, module](nb::handle self, const nb::args& args, const nb::kwargs& options) {
+        return nb::module_::import_(module).attr(name)(self, *args, **options);
+      },
+      extra...);
+}
+
+void bind_other_packages(nb::class_<Mesh>& mesh) {
+  def_python(
+      mesh, "to_meshio", "quadloom._interop", nb::sig("def to_meshio(self) -> typing.Any"),
+      "A meshio.Mesh of the points (n, 3), the faces, the lines of a MeshFile and the data; added "
+      "points are marked in point_data[\"added\"]. Needs the extra `meshio`.");
+  def_python(mesh, "to_pyvista", "quadloom._interop", nb::sig("def to_pyvista(self) -> typing.Any"),
+             "A pyvista.PolyData of the faces and the data; added points are marked in "
+             "point_data[\"added\"]. "
+             "Needs the extra `pyvista`.");
+  def_python(
+      mesh, "plot", "quadloom._plot",
+      nb::sig("def plot(self, ax: typing.Any = None, *, colour: str | numpy.typing.ArrayLike = "
+              "'quality', edges: bool = True, added: bool = True, **options: typing.Any) -> "
+              "typing.Any"),
+      R"(Draws the mesh, seen from above, into Matplotlib's axes, the current ones if none are given, and returns the
+artist that has the colours, for a colour bar. Needs the extra `plot`.
+
+`colour`: "quality", the quads by quad_shape, other faces grey; "none"; one number a face; or one a vertex, for smooth
+shading (where there are as many faces as vertices the numbers are taken for the vertices'). `edges` draws the edges,
+`added` a ring around each added point. `options` go to Matplotlib: cmap, clim, linewidths, edgecolors, alpha.)");
+}
+
 void bind_steiner_point(nb::module_& m) {
   bind_words<SteinerKind>(m, "SteinerKind", "Where an added point lies.",
                           {{SteinerKind::kOutside, "outside", "outside the region of the input"},
@@ -241,6 +275,7 @@ void bind_mesh(nb::module_& m) {
         nb::module_::import_("quadloom").attr("draw_mesh")(path, self, **options);
       },
       "path"_a, "options"_a, "Draws the mesh into a file, .svg .png or .pdf: see draw_mesh.");
+  bind_other_packages(mesh);
   mesh.def("__repr__", &text_of);
   mesh.def(
       "_repr_svg_", [](const Mesh& self) { return notebook_picture(self, true); },
