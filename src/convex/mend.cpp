@@ -51,6 +51,7 @@ namespace {
 constexpr int kMostCycles = 200;  // of wandering and walks
 constexpr int kLeastCycles = 3;
 constexpr std::size_t kCycleTriangles = 3'000'000;  // triangles times cycles, between the two
+constexpr std::size_t kCycleBad = 100'000;          // and bad quads times cycles, at most
 constexpr std::size_t kMostTries = 2;
 constexpr std::size_t kTiny = 100;               // triangles; there one try sees it all
 constexpr std::size_t kTriesTriangles = 16'000;  // triangles times tries, if there are several
@@ -149,8 +150,9 @@ bool Mender::grow(TriangleId t, std::size_t quads) {
 
 void Mender::move() {
   const std::size_t most_work = std::max(kLeastWork, mesh_.mate.size() / 4);
-  const int cycles =
-      std::clamp(static_cast<int>(kCycleTriangles / mesh_.mate.size()), kLeastCycles, kMostCycles);
+  const int cycles = std::min(
+      std::clamp(static_cast<int>(kCycleTriangles / mesh_.mate.size()), kLeastCycles, kMostCycles),
+      static_cast<int>(1 + kCycleBad / state_.bad.size()));
   const int patience =
       std::clamp(static_cast<int>(mesh_.mate.size() / kTrianglesPerCycle), 4, kPatience);
   std::size_t fewest = state_.bad.size();

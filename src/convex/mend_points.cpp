@@ -27,7 +27,8 @@ using quadrangulate::QuadBehind;
 
 constexpr double kUsualPrice = 0.8;  // of a quad
 constexpr std::size_t kLargestStar = 5;
-constexpr int kStarTries = 60;  // clusters looked at for each star
+/// Clusters looked at for each star; fewer where there is very much to mend.
+constexpr std::size_t kStarTries = 60, kLeastStarTries = 8, kTriesOfARound = 400'000;
 
 struct StarCluster {
   Cluster cluster;
@@ -43,9 +44,10 @@ bool grow(Mending& state, TriangleId t, std::size_t quads) {
   return true;
 }
 
-std::optional<StarCluster> best_star(Mending& state, TriangleId t) {
+std::optional<StarCluster> best_star(Mending& state, TriangleId t, std::size_t tries) {
   std::optional<StarCluster> best;
-  for (int i = 0; i < kStarTries && grow(state, t, 2 + state.random.below(kLargestStar - 1)); ++i) {
+  for (std::size_t i = 0; i < tries && grow(state, t, 2 + state.random.below(kLargestStar - 1));
+       ++i) {
     const Cluster& cluster = state.grower.cluster();
     const auto before = static_cast<double>(state.bad_in(cluster));
     auto parting =
@@ -139,9 +141,11 @@ void apply(Mending& state, const Case& found) {
 
 void add_stars(Mending& state, MendStatistics& statistics) {
   std::vector<TriangleId> next;
+  const std::size_t tries =
+      std::clamp(kTriesOfARound / (state.bad.size() + 1), kLeastStarTries, kStarTries);
   for (const TriangleId t : state.bad) {
     if (!state.is_bad(t)) continue;
-    const auto best = best_star(state, t);
+    const auto best = best_star(state, t, tries);
     if (!best) {
       next.push_back(t);
       continue;

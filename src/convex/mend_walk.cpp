@@ -95,7 +95,7 @@ void MendWalker::walk_deeply() {
 void MendWalker::walk_anyhow() {
   // In large meshes the others are too far for a search without an aim.
   if (!is_large()) sweep([&](TriangleId t) { quick_.merge(t, WalkQuads::kAny, kNear); });
-  sweep([&](TriangleId t) { quick_.merge_far(t, free_, kFar); });
+  quick_.merge_far(free_, kFar);
   for (const WalkLimits& limits : kLastRounds) {
     sweep([&](TriangleId t) { walker_.merge(t, limits); });
   }

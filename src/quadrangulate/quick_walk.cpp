@@ -31,9 +31,10 @@ namespace {
 constexpr std::uint32_t kStep = 2;
 constexpr double kShape = 12;  // times the greatest squared cosine of the quad left behind
 constexpr std::uint32_t kFlat = 60, kReflex = 80;  // so much is a detour worth
-constexpr std::uint32_t kSlack = 24;  // what a better walk may save without being looked for
-constexpr double kHop = 12;           // what a quad on the way to the aim is thought to cost
-constexpr double kNoWalk = 2;         // worse than any squared cosine
+constexpr std::uint32_t kSlack = 24;       // what a better walk may save without being looked for
+constexpr double kHop = 12;                // what a quad on the way to the aim is thought to cost
+constexpr std::size_t kLookAhead = 1'000;  // triangles among which the nearest is aimed at
+constexpr double kNoWalk = 2;              // worse than any squared cosine
 
 std::uint32_t convex_cost(double worst) {
   return kStep + (worst < 1 ? static_cast<std::uint32_t>(kShape * worst)
@@ -144,13 +145,14 @@ bool QuickWalker<Mesh>::merge(TriangleId start, WalkQuads quads, std::size_t nod
 }
 
 template <class Mesh>
-bool QuickWalker<Mesh>::merge_far(TriangleId start, std::span<const TriangleId> others,
-                                  std::size_t nodes) {
-  start_ = start;
-  if (!aim_at_nearest(others)) return false;
-  const bool merged = merge(start, WalkQuads::kAny, nodes);
-  cost_of_length_ = 0;
-  return merged;
+void QuickWalker<Mesh>::merge_far(std::span<const std::uint32_t> triangles, std::size_t nodes) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    start_ = triangles[i];
+    const std::size_t ahead = std::min(kLookAhead, triangles.size() - i - 1);
+    if (!mesh_.is_free(start_) || !aim_at_nearest(triangles.subspan(i + 1, ahead))) continue;
+    merge(start_, WalkQuads::kAny, nodes);
+    cost_of_length_ = 0;
+  }
 }
 
 /// The nearest in the plane; what the way costs is guessed from the size of the triangle.

@@ -33,9 +33,9 @@ class QuickWalker {
   /// is a walk. If there is none, all is as before.
   bool merge_after_slide(TriangleId start, std::size_t nodes);
 
-  /// A walk towards the nearest of the others that is free, however far, any quads left behind. False if none was found
-  /// within so many nodes.
-  bool merge_far(TriangleId start, std::span<const TriangleId> others, std::size_t nodes = kNone);
+  /// Walks those of the triangles that are free towards each other, any quads left behind: each towards the nearest of
+  /// those after it in the list, of which not all are looked at. A walk that takes more nodes than that stays undone.
+  void merge_far(std::span<const std::uint32_t> triangles, std::size_t nodes = kNone);
 
   std::size_t walks() const { return walks_; }
   std::size_t steps() const { return steps_; }

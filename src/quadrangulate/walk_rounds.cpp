@@ -1,7 +1,5 @@
 #include "quadrangulate/walk_rounds.hpp"
 
-#include <algorithm>
-
 namespace quadloom::quadrangulate {
 namespace {
 
@@ -17,7 +15,6 @@ std::vector<std::uint32_t> list_free(const Mesh& mesh) {
 constexpr std::size_t kNear = 1000;       // nodes; within them are nearly all strictly convex walks
 constexpr std::size_t kAfterSlide = 200;  // and here most that a slide has opened
 constexpr std::size_t kDeepNodes = 400'000;  // of thorough searches, all together
-constexpr std::size_t kLookAhead = 1'000;    // free triangles among which the nearest is looked for
 
 /// Sets of rows lock many triangles; small ones get all the search that helps.
 constexpr WalkLimits kDeepRounds[] = {
@@ -60,10 +57,8 @@ void walk_deeply(Walker& walker, const PairedMesh& mesh) {
 }
 
 void walk_anyhow(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh) {
-  const std::vector<FaceId> free = free_triangles(mesh);
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    const std::size_t ahead = std::min(kLookAhead, free.size() - i - 1);
-    if (mesh.is_free(free[i])) quick.merge_far(free[i], std::span(free).subspan(i + 1, ahead));
+  for (const std::size_t nodes : {kNear, std::size_t{kNone}}) {
+    quick.merge_far(free_triangles(mesh), nodes);
   }
 }
 
