@@ -59,7 +59,7 @@ def _shapes(xy, faces):
 
 def _lines(faces, dark=True):
     """Thin lines, thinner where there are many faces."""
-    width = np.clip(20 / np.sqrt(1 + sum(map(len, faces))), 0.1, 1)
+    width = np.clip(14 / np.sqrt(1 + sum(map(len, faces))), 0.1, 1)
     return {"edgecolors": "#21242b" if dark else "white", "linewidths": width}
 
 
