@@ -46,6 +46,16 @@ def indices(given, name):
     return _whole(given, name).reshape(-1)
 
 
+def weights(given, name):
+    """Whole numbers as a flat int32 array."""
+    array = _array(given, name)
+    if array.dtype.kind not in "iu" and array.size > 0:
+        raise Error(f"{name} must be whole numbers, not {array.dtype}")
+    if array.size > 0 and (array.min() < -2**31 or array.max() >= 2**31):
+        raise Error(f"{name} must be of 32 bits")
+    return np.require(array, np.int32, "CA").reshape(-1)
+
+
 def flags(given, name):
     """Truth values as a flat uint8 array."""
     return np.require(np.asarray(given, dtype=bool).reshape(-1), np.uint8, "CA")
@@ -139,6 +149,11 @@ def polygons(given):
     if depth == 0 and np.size(given) == 0:
         return []
     raise Error("a polygon must be a ring (k, 2), a list of rings, or a list of such lists")
+
+
+def is_polygon(given):
+    """Whether it is a polygon by itself, and no array of points."""
+    return isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) and _depth(given) > 2
 
 
 def _depth(given):

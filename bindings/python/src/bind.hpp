@@ -14,6 +14,7 @@ void bind_dual(nanobind::module_& module);
 void bind_quadrangulate(nanobind::module_& module);
 void bind_convex(nanobind::module_& module);
 void bind_strips(nanobind::module_& module);
+void bind_strip_codes(nanobind::module_& module);
 void bind_certify(nanobind::module_& module);
 void bind_generate(nanobind::module_& module);
 void bind_io(nanobind::module_& module);

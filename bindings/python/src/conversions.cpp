@@ -25,6 +25,16 @@ TriangleOptionsArgument::TriangleOptionsArgument(const Choice<TriangleMethod>& m
 PlanarArgument::PlanarArgument(const PolygonsLike& polygons, const PointsLike& points,
                                const NumbersLike& segments, const PointsLike& holes,
                                const PointsLike& regions) {
+  const io::PlanarFile* file = nullptr;
+  if (nb::try_cast(polygons, file) && file != nullptr) {
+    if (!points.is_none() || !segments.is_none() || !holes.is_none() || !regions.is_none()) {
+      throw Error(ErrorCode::kBadOption,
+                  "a PlanarFile has its points, segments, holes and regions already");
+    }
+    input = file->input;
+    z = file->z;
+    return;
+  }
   const auto places = [](const PointsLike& given, std::vector<Point>& out,
                          std::vector<double>* heights) {
     if (given.is_none()) return true;
@@ -63,17 +73,23 @@ void carry_heights(const TriangleMeshArgument& input, Mesh& out) {
   interpolate(blends(parts.steiner, parts.points), out.heights);
 }
 
-void name_source_faces(std::span<const std::uint32_t> source_face, TriangleResult& result) {
+void name_source_faces(std::span<const std::uint32_t> source_face,
+                       std::span<TriangleId> triangles) {
   if (source_face.empty()) return;
-  for (auto& pair : result.quad_source) {
-    for (TriangleId& t : pair) {
-      if (t != kNone) t = source_face[t];
-    }
-  }
-  for (TriangleId& t : result.triangle_source) {
+  for (TriangleId& t : triangles) {
     if (t != kNone) t = source_face[t];
   }
-  for (TriangleId& t : result.barrier) t = source_face[t];
+}
+
+void name_source_faces(std::span<const std::uint32_t> source_face,
+                       std::span<std::array<TriangleId, 2>> pairs) {
+  for (auto& pair : pairs) name_source_faces(source_face, std::span<TriangleId>(pair));
+}
+
+void name_source_faces(std::span<const std::uint32_t> source_face, TriangleResult& result) {
+  name_source_faces(source_face, result.quad_source);
+  name_source_faces(source_face, result.triangle_source);
+  name_source_faces(source_face, result.barrier);
 }
 
 }  // namespace quadloom::python

@@ -1,6 +1,7 @@
 // What the conversions of points, triangles and polygons have in common: options, planar input, heights.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -64,7 +65,10 @@ void carry_heights(const Points& input, Made<Result>& out) {
 /// The same for a planar mesh with heights as data.
 void carry_heights(const TriangleMeshArgument& input, Mesh& out);
 
-/// Source triangles become the faces that they were cut from.
+/// Source triangles become the faces that they were cut from; without these, nothing changes.
+void name_source_faces(std::span<const std::uint32_t> source_face, std::span<TriangleId> triangles);
+void name_source_faces(std::span<const std::uint32_t> source_face,
+                       std::span<std::array<TriangleId, 2>> pairs);
 void name_source_faces(std::span<const std::uint32_t> source_face, TriangleResult& result);
 
 /// What the results of all conversions of triangles have.

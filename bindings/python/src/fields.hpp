@@ -31,8 +31,8 @@ class Fields : public nanobind::class_<T, Extra...> {
   }
 
   template <typename Get>
-  Fields& get(const char* name, Get get, const char* doc) {
-    this->def_prop_ro(name, get, doc);
+  Fields& get(const char* name, Get value_of, const char* doc) {
+    this->def_prop_ro(name, value_of, doc);
     names_.append(name);
     return *this;
   }

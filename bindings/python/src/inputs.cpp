@@ -4,6 +4,7 @@
 #include <nanobind/stl/string.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -32,9 +33,23 @@ std::vector<T> numbers_from(const NumbersLike& given, const char* name, const ch
 
 }  // namespace
 
+std::span<const Point> check_finite(std::span<const Point> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
+    throw Error(ErrorCode::kNotFinite,
+                "point " + std::to_string(i) + " has a coordinate that is not a finite number",
+                {i});
+  }
+  return points;
+}
+
 bool MeshAlone::is_mesh(PyObject* given) {
   return nb::isinstance<Mesh>(given) ||
          nb::cast<bool>(conversions().attr("is_mesh")(nb::handle(given)));
+}
+
+bool PolygonAlone::is_polygon(PyObject* given) {
+  return nb::cast<bool>(conversions().attr("is_polygon")(nb::handle(given)));
 }
 
 Points::Points(const PointsLike& given) : keep_(given) {
@@ -90,6 +105,10 @@ std::vector<std::uint32_t> indices_from(const NumbersLike& given, const char* na
   return numbers_from<std::uint32_t>(given, name, "indices");
 }
 
+std::vector<std::int32_t> weights_from(const NumbersLike& given) {
+  return numbers_from<std::int32_t>(given, "weight", "weights");
+}
+
 std::vector<std::uint8_t> flags_from(const NumbersLike& given, const char* name) {
   return numbers_from<std::uint8_t>(given, name, "flags");
 }
@@ -113,8 +132,22 @@ const Triangulation& MeshArgument::triangulation() const {
                     ", a triangle has 3",
                 {f});
   }
+  check_finite(faces.points);
   own_ = triangles_with_twins(faces.points, faces.face_vertex);
   return own_;
+}
+
+void check_faces(const PolygonMesh& mesh) {
+  check_finite(mesh.points);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    for (const VertexId v : mesh.face(f)) {
+      if (v < mesh.points.size()) continue;
+      throw Error(ErrorCode::kIndexOutOfRange,
+                  "face " + std::to_string(f) + " names vertex " + std::to_string(v) + " of " +
+                      std::to_string(mesh.points.size()),
+                  {f, v});
+    }
+  }
 }
 
 TriangleMeshArgument::TriangleMeshArgument(const nb::object& given, const nb::object& faces)
@@ -125,7 +158,8 @@ TriangleMeshArgument::TriangleMeshArgument(const nb::object& given, const nb::ob
     return;
   }
   mesh_ = &own_;
-  if (parts.triangulation != nullptr) {
+  const bool of_any_kind = dynamic_cast<const Made<Triangulation>*>(&given_.mesh()) != nullptr;
+  if (parts.triangulation != nullptr && !of_any_kind) {
     own_.mesh = *parts.triangulation;
     if (const auto* constrained = dynamic_cast<const Made<ConstrainedResult>*>(&given_.mesh())) {
       own_.region = constrained->part;
@@ -149,6 +183,8 @@ void add_faces_from(nb::handle given, PolygonMesh& mesh) {
 }
 
 std::vector<Polygon> polygons_from(const PolygonsLike& given, std::vector<double>* z) {
+  const io::PlanarFile* file = nullptr;
+  if (nb::try_cast(given, file) && file != nullptr) return file->input.polygons;
   std::vector<Polygon> out;
   for (const nb::handle rings : conversions().attr("polygons")(given)) {
     Polygon& polygon = out.emplace_back();

@@ -35,6 +35,13 @@ class PolygonsLike : public nanobind::object {
   NB_OBJECT_DEFAULT(PolygonsLike, nanobind::object, "quadloom._inputs.PolygonsLike", anything)
 };
 
+/// What is a polygon by itself and no points (quadloom._inputs.is_polygon).
+class PolygonAlone : public PolygonsLike {
+  NB_OBJECT_DEFAULT(PolygonAlone, PolygonsLike, "quadloom._inputs.PolygonsLike", is_polygon)
+ private:
+  static bool is_polygon(PyObject* given);
+};
+
 /// Points (n, 2) or (n, 3). C-contiguous float64 of shape (n, 2) is read where it is, anything else is
 /// converted once. Throws Error kBadOption for what are no points.
 class Points {
@@ -50,6 +57,8 @@ class Points {
   std::vector<double> z_;
 };
 
+/// Throws Error kNotFinite, as the library does; for functions that leave it to their caller.
+std::span<const Point> check_finite(std::span<const Point> points);
 /// The same for functions that leave it to their caller that points are finite and distinct. Throws Error
 /// kNotFinite, kTooManyPoints, kBadOption (a point twice).
 std::span<const Point> checked_points(const Points& given);
@@ -61,6 +70,7 @@ Point point_from(const PointsLike& given);
 /// kBadOption (not whole, out of range).
 std::vector<double> doubles_from(const NumbersLike& given, const char* name);
 std::vector<std::uint32_t> indices_from(const NumbersLike& given, const char* name);
+std::vector<std::int32_t> weights_from(const NumbersLike& given);
 std::vector<std::uint8_t> flags_from(const NumbersLike& given, const char* name);
 
 /// A mesh: a quadloom.Mesh, or what quadloom._inputs.mesh makes one of. `faces`, if not None, are those over
@@ -77,6 +87,9 @@ class MeshArgument {
   const Mesh* mesh_ = nullptr;
   mutable Triangulation own_;
 };
+
+/// Throws Error kIndexOutOfRange for a face that names a vertex that is not there, kNotFinite.
+void check_faces(const PolygonMesh& mesh);
 
 /// A mesh of triangles to convert: a TriangleMesh or ConnectedMesh as it is, a triangulation, a constrained
 /// one with its segments and polygons' borders kept; other meshes through connect_triangles.
@@ -99,7 +112,7 @@ class TriangleMeshArgument {
 /// Appends faces: integers (m, k), or a list of faces of different sizes.
 void add_faces_from(nanobind::handle given, PolygonMesh& mesh);
 
-/// Polygons in the nesting of GeoJSON: a ring, the rings of a polygon, or several polygons; or what
+/// Polygons in the nesting of GeoJSON: a ring, the rings of a polygon, or several polygons; those of a PlanarFile; or what
 /// quadloom._inputs.polygons makes of another object.
 /// Heights, where the corners have some, are appended to `z`.
 std::vector<Polygon> polygons_from(const PolygonsLike& given, std::vector<double>* z = nullptr);

@@ -24,6 +24,12 @@ namespace {
 
 using Path = std::filesystem::path;
 
+template <typename Writer>
+void write(Writer writer) {
+  nb::gil_scoped_release release;
+  writer();
+}
+
 // ---- Attributes: a dict of arrays. ----
 
 nb::dict dict_of(const std::vector<io::Attribute>& attributes) {
@@ -74,10 +80,7 @@ for a file without points. docs/formats.md has the details.)");
       "write_points",
       [](const Path& path, const PointsLike& points) {
         const Points given(points);
-        without_gil([&] {
-          io::write_points(path.string(), given.xy(), given.z());
-          return 0;
-        });
+        write([&] { io::write_points(path.string(), given.xy(), given.z()); });
       },
       "path"_a, "points"_a,
       "One point a line, the fewest digits that read back the same; .csv and .tsv with a header; "
@@ -140,10 +143,7 @@ file, bad-option.)");
       "write_mesh",
       [](const Path& path, const MeshLike& mesh, const std::string& format) {
         const io::MeshFile file = file_from(MeshArgument(mesh));
-        without_gil([&] {
-          io::write_mesh(path.string(), file, format);
-          return 0;
-        });
+        write([&] { io::write_mesh(path.string(), file, format); });
       },
       "path"_a, "mesh"_a, "format"_a = "",
       R"(Writes a mesh by the name: .obj .off .ply .vtu .msh .geojson .json, or as `format` says: one of these without the
@@ -164,7 +164,182 @@ for a mesh that no file should hold.)");
       "long work.");
 }
 
+// ---- Polygons, lines, strips, text. ----
+
+using Rings = std::vector<std::vector<Array<double, 2>>>;
+
+Rings rings_of(const std::vector<Polygon>& polygons) {
+  Rings out;
+  for (const Polygon& polygon : polygons) {
+    auto& rings = out.emplace_back();
+    for (const auto& ring : polygon.rings) rings.push_back(own(std::vector(ring)));
+  }
+  return out;
+}
+
+void bind_planar_file(nb::module_& m) {
+  using F = io::PlanarFile;
+  Fields<F>(m, "PlanarFile",
+            "Polygons, segments and points of a file, with what it carries beside them. It may be "
+            "given where "
+            "polygons are expected; its points, segments, holes and regions then come along.")
+      .get(
+          "polygons", [](const F& f) { return rings_of(f.input.polygons); },
+          "Of each polygon its rings, float64 (k, 2), the outer one first.")
+      .array(
+          "points", [](const F& f) -> const auto& { return f.input.points; },
+          "Inner points and ends of segments, float64 (n, 2).")
+      .array(
+          "segments", [](const F& f) -> const auto& { return f.input.segments; },
+          "Numbers of points, uint32 (s, 2).")
+      .array(
+          "holes", [](const F& f) -> const auto& { return f.input.holes; },
+          "A place in each enclosed part to leave out.")
+      .array(
+          "regions", [](const F& f) -> const auto& { return f.input.regions; },
+          "A place in each part that has a name.")
+      .array("z", &F::z, "Per input point, the corners first; or empty.")
+      .get(
+          "polygon_data", [](const F& f) { return dict_of(f.polygon_data); },
+          "GeoJSON: the numbers of the polygon's feature, else NaN; arrays by name.")
+      .get(
+          "point_data", [](const F& f) { return dict_of(f.point_data); },
+          ".poly: attributes and markers of `points`.")
+      .get(
+          "segment_data", [](const F& f) { return dict_of(f.segment_data); }, ".poly: markers.")
+      .get(
+          "region_data", [](const F& f) { return dict_of(f.region_data); },
+          ".poly: attribute and area limit.")
+      .done();
+  m.def(
+      "read_planar",
+      [](const Path& path, const std::string& format) {
+        return without_gil([&] { return io::read_planar(path.string(), format); });
+      },
+      "path"_a, "format"_a = "",
+      R"(Polygons, segments and points of a file: .geojson .json (Polygon and MultiPolygon; LineString and MultiLineString
+are segments, Point and MultiPoint inner points) and Triangle's .poly, which takes its points from the .node beside it
+if it has none; "-" is standard input (needs `format`, the extension). The first corner again at the end of a ring is
+dropped. Whether polygons are valid is for constrained_delaunay to say.
+
+Raises Error: parse, not-finite, index-out-of-range (culprits: the line where there is one), file, bad-option;
+too-few-points for a file without anything.)");
+  m.def(
+      "write_polygons",
+      [](const Path& path, const PolygonsLike& polygons) {
+        const std::vector<Polygon> given = polygons_from(polygons);
+        write([&] { io::write_polygons(path.string(), given); });
+      },
+      "path"_a, "polygons"_a,
+      "Polygons with their holes as GeoJSON (a Polygon each), whatever the ending; \"-\" is "
+      "standard output. Raises "
+      "Error: file.");
+}
+
+std::vector<io::Polyline> lines_from(const std::vector<PointsLike>& given, bool closed) {
+  std::vector<io::Polyline> out;
+  for (const PointsLike& line : given) {
+    const Points points(line);
+    out.push_back({{points.xy().begin(), points.xy().end()}, closed, 0});
+  }
+  return out;
+}
+
+void bind_lines(nb::module_& m) {
+  m.def(
+      "write_polylines",
+      [](const Path& path, const std::vector<PointsLike>& lines, const std::string& name,
+         const NumbersLike& values, bool closed) {
+        std::vector<io::Polyline> given = lines_from(lines, closed);
+        const std::vector<double> numbers = doubles_from(values, "values");
+        if (!values.is_none() && numbers.size() != given.size()) {
+          throw Error(ErrorCode::kBadOption, "values needs one number a line");
+        }
+        for (std::size_t i = 0; i < numbers.size(); ++i) given[i].value = numbers[i];
+        write([&] { io::write_polylines(path.string(), given, name); });
+      },
+      "path"_a, "lines"_a, nb::kw_only(), "name"_a = "value", "values"_a = nb::none(),
+      "closed"_a = false,
+      "Polylines (k, 2), or rings if `closed`, as GeoJSON (LineString or Polygon features), with "
+      "one number each "
+      "under `name`. Raises Error: file, bad-option.");
+  m.def(
+      "write_text",
+      [](const Path& path, const std::string& text) {
+        write([&] { io::write_text(path.string(), text); });
+      },
+      "path"_a, "text"_a,
+      "Writes a text file by temporary name and rename; \"-\" is standard output. Raises Error: "
+      "file.");
+}
+
+void bind_strip_file(nb::module_& m) {
+  using F = io::StripFile;
+  Fields<F>(m, "StripFile", "Triangles as strips of vertices, with the points.")
+      .array("points", &F::points, "float64 (n, 2).")
+      .array("z", &F::z, "Per point, or empty.")
+      .value("code", &F::code, "The strips.")
+      .done();
+  m.def(
+      "write_strips",
+      [](const Path& path, const PointsLike& points, const StripCode& code) {
+        const Points given(points);
+        const F file{{given.xy().begin(), given.xy().end()}, given.z(), code};
+        write([&] { io::write_strips(path.string(), file); });
+      },
+      "path"_a, "points"_a, "code"_a,
+      R"(Writes .strip, a text (docs/formats.md): the points bit for bit, the code as it is, one strip a line; "-" is
+standard output. Raises Error: file; index-out-of-range, not-finite, bad-mesh for strips that no file should hold.)");
+  m.def(
+      "read_strips",
+      [](const Path& path) { return without_gil([&] { return io::read_strips(path.string()); }); },
+      "path"_a,
+      "Reads what write_strips writes; \"-\" is standard input. Raises Error: parse, not-finite, "
+      "index-out-of-range (culprits: the line), file.");
+}
+
 // ---- Pictures. ----
+
+// A mesh and how it is drawn.
+struct Drawing {
+  io::MeshFile mesh;
+  io::DrawOptions options;
+};
+
+std::vector<VertexId> marked_as_added(const io::MeshFile& file) {
+  std::vector<VertexId> out;
+  for (const io::Attribute& a : file.vertex_data) {
+    if (a.name != "added") continue;
+    for (VertexId v = 0; v < a.values.size(); ++v) {
+      if (a.values[v] != 0) out.push_back(v);
+    }
+  }
+  return out;
+}
+
+Drawing drawing_of(const MeshLike& mesh, int width, const Choice<io::ColourBy>& colour,
+                   const NumbersLike& group, std::vector<std::string> group_names,
+                   std::string title, const std::vector<PointsLike>& overlay) {
+  Drawing out;
+  out.mesh = file_from(MeshArgument(mesh));
+  check_faces(out.mesh.mesh);
+  out.options.width = width;
+  out.options.colour = colour.get("colour");
+  for (const std::uint32_t g : indices_from(group, "group")) {
+    out.options.group.push_back(static_cast<std::uint8_t>(std::min(g, std::uint32_t{255})));
+  }
+  out.options.group_names = std::move(group_names);
+  out.options.title = std::move(title);
+  out.options.steiner = marked_as_added(out.mesh);
+  out.options.overlay = lines_from(overlay, false);
+  return out;
+}
+
+void draw(const Path& path, const std::vector<const Drawing*>& drawings, int columns) {
+  std::vector<io::Panel> panels;
+  for (const Drawing* d : drawings) panels.push_back({&d->mesh, d->options});
+  write([&] { io::draw_sheet(path.string(), panels, columns); });
+}
 
 void bind_pictures(nb::module_& m) {
   bind_words<io::ColourBy>(
@@ -173,39 +348,40 @@ void bind_pictures(nb::module_& m) {
        {io::ColourBy::kConvexity, "convexity", "strictly convex, flat, non-convex"},
        {io::ColourBy::kNone, "none", "nothing"},
        {io::ColourBy::kGroup, "group", "`group` of each face"}});
+  nb::class_<Drawing>(m, "Panel", "A mesh and how it is drawn, for draw_sheet.")
+      .def(
+          "__init__",
+          [](Drawing* self, const MeshLike& mesh, int width, const Choice<io::ColourBy>& colour,
+             const NumbersLike& group, std::vector<std::string> group_names, std::string title,
+             const std::vector<PointsLike>& overlay) {
+            Drawing made = drawing_of(mesh, width, colour, group, std::move(group_names),
+                                      std::move(title), overlay);
+            new (self) Drawing(std::move(made));
+          },
+          "mesh"_a, nb::kw_only(), "width"_a = io::DrawOptions().width, "colour"_a = "quality",
+          "group"_a = nb::none(), "group_names"_a = nb::list(), "title"_a = "",
+          "overlay"_a = nb::list(), "The options are those of draw_mesh.");
   m.def(
       "draw_mesh",
       [](const Path& path, const MeshLike& mesh, int width, const Choice<io::ColourBy>& colour,
          const NumbersLike& group, std::vector<std::string> group_names, std::string title,
          const std::vector<PointsLike>& overlay) {
-        const MeshArgument given(mesh);
-        io::DrawOptions o;
-        o.width = width;
-        o.colour = colour.get("colour");
-        for (const std::uint32_t g : indices_from(group, "group")) {
-          o.group.push_back(static_cast<std::uint8_t>(std::min(g, std::uint32_t{255})));
-        }
-        o.group_names = std::move(group_names);
-        o.title = std::move(title);
-        o.steiner = given.mesh().added();
-        for (const PointsLike& line : overlay) {
-          const Points points(line);
-          o.overlay.push_back({{points.xy().begin(), points.xy().end()}, false, 0});
-        }
-        const io::MeshFile file = file_from(given);
-        without_gil([&] {
-          io::draw_mesh(path.string(), file, o);
-          return 0;
-        });
+        const Drawing made = drawing_of(mesh, width, colour, group, std::move(group_names),
+                                        std::move(title), overlay);
+        draw(path, {&made}, 1);
       },
       "path"_a, "mesh"_a, nb::kw_only(), "width"_a = io::DrawOptions().width,
-      "colour"_a = "quality", "group"_a = nb::none(), "group_names"_a = std::vector<std::string>(),
-      "title"_a = "", "overlay"_a = nb::list(),
+      "colour"_a = "quality", "group"_a = nb::none(), "group_names"_a = nb::list(), "title"_a = "",
+      "overlay"_a = nb::list(),
       R"(A picture by the name: .svg .png .pdf, `width` pixels (points in .svg and .pdf) wide. Added points are marked with
 a ring, lines of `overlay` (each (k, 2)) drawn over the mesh. `group`, for colour "group": of each face 0 (plain),
-1 (strong), 2 or 3. Line width and point marks adapt to the number of faces; readable from 20 points to 200,000.
+1 (strong), 2 or 3; `group_names`: for the legend. Line width and point marks adapt to the number of faces; readable
+from 20 points to 200,000.
 
-Raises Error: file, bad-option.)");
+Raises Error: file, bad-option; index-out-of-range, not-finite for a mesh that cannot be drawn.)");
+  m.def("draw_sheet", &draw, "path"_a, "panels"_a, "columns"_a,
+        "Several pictures on one sheet, with their titles, `columns` a row. Raises Error as "
+        "draw_mesh.");
 }
 
 }  // namespace
@@ -213,6 +389,9 @@ Raises Error: file, bad-option.)");
 void bind_io(nb::module_& m) {
   bind_points(m);
   bind_mesh_file(m);
+  bind_planar_file(m);
+  bind_lines(m);
+  bind_strip_file(m);
   bind_pictures(m);
 }
 

@@ -23,7 +23,9 @@ class Operand {
   explicit Operand(const PointsLike& given)
       : points_(nb::borrow<PointsLike>(
             nb::module_::import_("quadloom._inputs").attr("operand")(given))),
-        single_(nb::cast<int>(nb::module_::import_("numpy").attr("ndim")(given)) == 1) {}
+        single_(nb::cast<int>(nb::module_::import_("numpy").attr("ndim")(given)) == 1) {
+    check_finite(points_.xy());
+  }
   bool single() const { return single_; }
   std::size_t size() const { return points_.xy().size(); }
   Point at(std::size_t i) const { return points_.xy()[single_ ? 0 : i]; }
