@@ -113,7 +113,7 @@ struct MaximumWeightMatching {
 /// same on both sides, or so large that sums do not fit 62 bits. Seconds for a million nodes.
 MaximumWeightMatching maximum_weight_matching(const DualGraph& graph,
                                               std::span<const std::int32_t> weight,
-                                              MatchingGoal goal);
+                                              MatchingGoal goal, const Progress& progress = {});
 
 /// A good matching in about half of the time: the first rounds of the exact algorithm, then, for
 /// kSizeThenWeight, the missing pairs by maximum_matching. The size is exact, the weight is within
@@ -126,7 +126,7 @@ struct NearMaximumMatching {
 };
 NearMaximumMatching near_maximum_weight_matching(const DualGraph& graph,
                                                  std::span<const std::int32_t> weight,
-                                                 MatchingGoal goal);
+                                                 MatchingGoal goal, const Progress& progress = {});
 
 /// Whether the matching is one, has the weight that it says, and the certificate proves that none is
 /// better; from the graph and the weights alone.

@@ -64,7 +64,7 @@ struct ConvexLayers {
     return {vertex.data() + begin[i], vertex.data() + begin[i + 1]};
   }
 };
-ConvexLayers convex_layers(std::span<const Point> points);
+ConvexLayers convex_layers(std::span<const Point> points, const Progress& progress = {});
 
 /// The convex spiral (Bose and Toussaint, section 4): every point once, from `start` (a corner of
 /// the hull; kNone: the lexicographically smallest point) clockwise around the hull and on inwards,
@@ -203,7 +203,8 @@ struct ConstrainedResult {
 /// ring and holes, polygons that overlap, nothing inside), kIndexOutOfRange (culprits: segment,
 /// index), kBadOption (holes or regions beside polygons, or on an edge), and as delaunay(). Polygons
 /// and segments of n corners: O(n log n) expected, and the edges that the segments cross.
-ConstrainedResult constrained_delaunay(const PlanarInput& input, Extent extent = Extent::kInside);
+ConstrainedResult constrained_delaunay(const PlanarInput& input, Extent extent = Extent::kInside,
+                                       const Progress& progress = {});
 ConstrainedResult constrained_delaunay(const Polygon& polygon, std::span<const Point> inner = {});
 
 }  // namespace quadloom

@@ -92,7 +92,8 @@ struct SerpentineResult {
   std::vector<VertexId> spiral;           ///< all vertices in the order of the spiral
   std::vector<VertexId> input_to_vertex;  ///< duplicates merged
 };
-SerpentineResult serpentine_triangulation(std::span<const Point> input);
+SerpentineResult serpentine_triangulation(std::span<const Point> input,
+                                          const Progress& progress = {});
 
 struct KAngulationResult {
   PolygonMesh mesh;  ///< every face has k corners

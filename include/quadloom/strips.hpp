@@ -97,7 +97,7 @@ struct SpiralPolygon {
 /// serpentine triangulation (Iwerks and Mitchell, theorem 2.5). Of points that the turning ray meets at
 /// once the nearest is taken; collinear ones become flat corners. Throws Error kNotFinite,
 /// kTooFewPoints, kAllCollinear, kTooManyPoints. O(n log n).
-SpiralPolygon spiral_polygon(std::span<const Point> input);
+SpiralPolygon spiral_polygon(std::span<const Point> input, const Progress& progress = {});
 
 // ---- Polygons. ----
 

@@ -263,8 +263,7 @@ std::array<VertexId, 3> PathBuilder::triangle_around(Point s, std::size_t t,
 }
 
 PathOfPoints path_of_points(const std::vector<Point>& points, const ConvexOptions& options) {
-  report_progress(options.progress, "convex layers", 0);
-  const ConvexLayers layers = convex_layers(points);
+  const ConvexLayers layers = convex_layers(points, options.progress);
   const OuterPlace outer = choose_start(points, layers.layer(0), options.odd_boundary);
   report_progress(options.progress, "spiral", 0);
   PathOfPoints out;

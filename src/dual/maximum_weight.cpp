@@ -128,14 +128,20 @@ Dual first_limit(const DualGraph& graph, Weights weight) {
 /// limit at most, so that their trees grow alike: without that the trees of the last ones are far
 /// larger. The limit doubles when few nodes have been settled, and the last node has none.
 void settle_nodes(dual::WeightedSearch& search, std::vector<TriangleId> unsettled, Dual limit,
-                  int rounds) {
+                  int rounds, const Progress& progress) {
+  const std::size_t all = unsettled.size();
   for (int round = 0; round < rounds; ++round) {
     const auto is_settled = [&](TriangleId t) { return search.is_settled(t); };
     const std::size_t settled = std::erase_if(unsettled, is_settled);
     if (unsettled.empty()) return;
     if (round > 1 && settled < unsettled.size() / 4) limit *= 2;
     if (unsettled.size() == 1) limit = std::numeric_limits<Dual>::max();
+    std::size_t rest = unsettled.size();
     for (const TriangleId t : unsettled) {
+      if (rest-- % 256 == 0) {
+        report_progress(progress, "matching",
+                        1 - static_cast<double>(unsettled.size()) / static_cast<double>(all));
+      }
       if (!is_settled(t)) search.search(t, limit);
     }
   }
@@ -174,7 +180,9 @@ struct PrimalDual {
   Wide blossoms = 0;  // see sum_of_blossoms
 };
 
-PrimalDual primal_dual(const DualGraph& graph, Weights weight, MatchingGoal goal, int rounds) {
+PrimalDual primal_dual(const DualGraph& graph, Weights weight, MatchingGoal goal, int rounds,
+                       const Progress& progress) {
+  report_progress(progress, "matching", 0);
   dual::check_weights(graph, weight);
   const std::int64_t bonus =
       goal == MatchingGoal::kSizeThenWeight ? dual::bonus_for_size(graph, weight) : 0;
@@ -185,7 +193,7 @@ PrimalDual primal_dual(const DualGraph& graph, Weights weight, MatchingGoal goal
     if (start.mate[t] == kNone) unmatched.push_back(t);
   }
   dual::WeightedSearch search(graph, weight, bonus, duals, start);
-  settle_nodes(search, std::move(unmatched), first_limit(graph, weight), rounds);
+  settle_nodes(search, std::move(unmatched), first_limit(graph, weight), rounds, progress);
 
   PrimalDual out;
   out.blossoms = sum_of_blossoms(search, graph.node_count());
@@ -198,14 +206,14 @@ PrimalDual primal_dual(const DualGraph& graph, Weights weight, MatchingGoal goal
 }  // namespace
 
 MaximumWeightMatching maximum_weight_matching(const DualGraph& graph, Weights weight,
-                                              MatchingGoal goal) {
-  return primal_dual(graph, weight, goal, std::numeric_limits<int>::max()).result;
+                                              MatchingGoal goal, const Progress& progress) {
+  return primal_dual(graph, weight, goal, std::numeric_limits<int>::max(), progress).result;
 }
 
 NearMaximumMatching near_maximum_weight_matching(const DualGraph& graph, Weights weight,
-                                                 MatchingGoal goal) {
+                                                 MatchingGoal goal, const Progress& progress) {
   constexpr int kRounds = 5;
-  auto [first, blossoms] = primal_dual(graph, weight, goal, kRounds);
+  auto [first, blossoms] = primal_dual(graph, weight, goal, kRounds, progress);
   NearMaximumMatching out{std::move(first.matching), 0, 0};
   if (goal == MatchingGoal::kSizeThenWeight) {
     out.matching = maximum_matching(graph, out.matching).matching;

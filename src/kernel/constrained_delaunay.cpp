@@ -27,6 +27,7 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "core/step_reports.hpp"
 #include "kernel/constrained_mesh.hpp"
 #include "kernel/planar_edges.hpp"
 #include "kernel/planar_region.hpp"
@@ -70,15 +71,17 @@ std::vector<std::uint32_t> in_rounds(const std::vector<std::uint32_t>& edges) {
 
 class Constrained {
  public:
-  Constrained(const PlanarInput& input, Extent extent)
-      : input_(input), extent_(extent), edges_(input) {}
+  Constrained(const PlanarInput& input, Extent extent, const Progress& progress)
+      : input_(input), extent_(extent), progress_(progress), edges_(input) {}
 
   ConstrainedResult build() {
     check_input();
+    report_progress(progress_, "triangulating", 0);
     DelaunayResult all = delaunay(edges_.points());
     out_.input_to_vertex = std::move(all.input_to_vertex);
     check_rings();
     insert_edges(std::move(all.mesh));
+    report_progress(progress_, "finding parts", 0);
     find_parts();
     if (extent_ == Extent::kInside) keep_inside();
     return std::move(out_);
@@ -102,6 +105,7 @@ class Constrained {
 
   const PlanarInput& input_;
   Extent extent_;
+  const Progress& progress_;
   PlanarEdges edges_;
   ConstrainedResult out_;
   std::unordered_map<std::uint32_t, std::uint32_t> also_;  // edges of two polygons: the second one
@@ -151,7 +155,9 @@ void Constrained::insert_edges(Triangulation mesh) {
 
 void Constrained::insert_range(ConstrainedMesh& mesh, std::uint32_t begin, std::uint32_t end) {
   std::vector<std::uint32_t> missing;
+  StepReports report(progress_, "inserting edges", edges_.edge_count());
   for (std::uint32_t e = begin; e < end; ++e) {
+    report();
     const auto [from, to] = vertices_of(e);
     if (from == to) continue;
     const auto obstacle = mesh.insert_existing(from, to, e);
@@ -161,7 +167,9 @@ void Constrained::insert_range(ConstrainedMesh& mesh, std::uint32_t begin, std::
       meet(e, *obstacle);
     }
   }
+  StepReports report_missing(progress_, "inserting missing edges", missing.size(), 256);
   for (const std::uint32_t e : in_rounds(missing)) {
+    report_missing();
     const auto [from, to] = vertices_of(e);
     const Obstacle obstacle = mesh.insert(from, to, e);
     if (obstacle.kind != Obstacle::Kind::kNone) meet(e, obstacle);
@@ -265,8 +273,9 @@ void Constrained::drop_vertices() {
 
 }  // namespace
 
-ConstrainedResult constrained_delaunay(const PlanarInput& input, Extent extent) {
-  return Constrained(input, extent).build();
+ConstrainedResult constrained_delaunay(const PlanarInput& input, Extent extent,
+                                       const Progress& progress) {
+  return Constrained(input, extent, progress).build();
 }
 
 ConstrainedResult constrained_delaunay(const Polygon& polygon, std::span<const Point> inner) {

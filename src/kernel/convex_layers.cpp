@@ -43,7 +43,8 @@ void append_layer(const HullTree& lower, const HullTree& upper, std::vector<Vert
 
 }  // namespace
 
-ConvexLayers convex_layers(std::span<const Point> points) {
+ConvexLayers convex_layers(std::span<const Point> points, const Progress& progress) {
+  report_progress(progress, "convex layers", 0);
   std::vector<VertexId> order(points.size());
   std::iota(order.begin(), order.end(), VertexId{0});
   std::sort(order.begin(), order.end(),
@@ -57,6 +58,8 @@ ConvexLayers convex_layers(std::span<const Point> points) {
   ConvexLayers layers;
   layers.vertex.reserve(points.size());
   while (layers.vertex.size() < points.size()) {
+    report_progress(progress, "convex layers",
+                    static_cast<double>(layers.vertex.size()) / static_cast<double>(points.size()));
     shed_removed(lower, removed);
     shed_removed(upper, removed);
     append_layer(lower, upper, layers.vertex);

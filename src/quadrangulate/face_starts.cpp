@@ -141,7 +141,8 @@ LabelledTriangles grow_faces(std::span<const Point> points, std::size_t k) {
 }
 
 LabelledTriangles cut_sides(std::span<const Point> points, std::span<const VertexId> hull,
-                            std::size_t from, std::size_t steps, std::size_t k) {
+                            std::size_t from, std::size_t steps, std::size_t k,
+                            const Progress& progress) {
   LabelledTriangles out;
   std::vector<char> barrier;
   if (hull.size() == points.size()) {
@@ -154,7 +155,7 @@ LabelledTriangles cut_sides(std::span<const Point> points, std::span<const Verte
     for (std::size_t i = 0; i + 1 < cut.vertices.size(); ++i) {
       input.segments.push_back({cut.vertices[i], cut.vertices[i + 1]});
     }
-    ConstrainedResult result = constrained_delaunay(input, Extent::kHull);
+    ConstrainedResult result = constrained_delaunay(input, Extent::kHull, progress);
     out.mesh = std::move(result.mesh);
     barrier.assign(out.mesh.twin.size(), 0);
     for (HalfedgeId h = 0; h < barrier.size(); ++h) barrier[h] = result.edge[h] != kNone;

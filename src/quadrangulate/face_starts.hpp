@@ -25,6 +25,7 @@ LabelledTriangles grow_faces(std::span<const Point> points, std::size_t k);
 /// polygon is simple, their trees of triangles can be cut anywhere: few faces for large k.
 /// Distinct points; `hull` as convex_hull gives it, 1 <= steps < h. O(n log n).
 LabelledTriangles cut_sides(std::span<const Point> points, std::span<const VertexId> hull,
-                            std::size_t from, std::size_t steps, std::size_t k);
+                            std::size_t from, std::size_t steps, std::size_t k,
+                            const Progress& progress = {});
 
 }  // namespace quadloom::quadrangulate

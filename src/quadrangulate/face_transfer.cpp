@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "core/step_reports.hpp"
 #include "quadrangulate/face_mesh.hpp"
 
 namespace quadloom::quadrangulate {
@@ -32,8 +33,10 @@ constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
 
 class Transfer {
  public:
-  Transfer(const LabelledTriangles& start, std::size_t k, std::size_t most_work)
-      : points_(start.mesh.points),
+  Transfer(const LabelledTriangles& start, std::size_t k, std::size_t most_work,
+           const Progress& progress)
+      : report_(progress, "moving triangles", most_work, 64),
+        points_(start.mesh.points),
         k_(k),
         most_work_(most_work),
         mesh_(start.mesh, start.label, start.labels),
@@ -183,6 +186,7 @@ class Transfer {
   /// Breadth-first; way_here_[g] is how the face before g takes from g.
   template <typename Wanted>
   FaceId find_way(FaceId f, std::size_t limit, const Wanted& wanted) {
+    report_();
     ++stamp_;
     seen_[f] = stamp_;
     queue_.assign(1, f);
@@ -226,6 +230,7 @@ class Transfer {
     return taker;
   }
 
+  StepReports report_;
   std::span<const Point> points_;
   std::size_t k_, most_work_;
   FaceMesh mesh_;
@@ -283,7 +288,7 @@ std::optional<FacePlan> Transfer::plan() const {
 
 std::optional<FacePlan> transfer_triangles(const LabelledTriangles& start, std::size_t k,
                                            const TransferEffort& effort, std::size_t& work_left) {
-  Transfer transfer(start, k, work_left);
+  Transfer transfer(start, k, work_left, effort.progress);
   Random random(effort.seed);
   std::optional<FacePlan> best;
   const auto keep_better = [&] {

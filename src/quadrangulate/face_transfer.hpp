@@ -35,6 +35,7 @@ constexpr std::size_t enough_points(std::size_t triangles, std::size_t k) {
 struct TransferEffort {
   int disturbances = 20;  // before it gives up
   std::uint64_t seed = 1;
+  Progress progress = {};
 };
 
 /// The plan with the fewest added points that was found; the search stops at enough_points(), or when it has

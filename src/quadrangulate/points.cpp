@@ -71,9 +71,9 @@ bool has_quadrangulation(std::span<const Point> input) {
   return span_the_plane(distinct.points) && convex_hull(distinct.points).size() % 2 == 0;
 }
 
-SerpentineResult serpentine_triangulation(std::span<const Point> input) {
+SerpentineResult serpentine_triangulation(std::span<const Point> input, const Progress& progress) {
   DistinctPoints distinct = points_of_the_plane(input);
-  Serpentine path = make_serpentine(distinct.points, convex_layers(distinct.points));
+  Serpentine path = make_serpentine(distinct.points, convex_layers(distinct.points, progress));
   SerpentineResult result;
   result.mesh = to_triangulation(distinct.points, path);
   result.spiral = std::move(path.spiral);

@@ -360,9 +360,9 @@ std::optional<PointResult> insert_in_order(PairedMesh mesh, const PointOptions& 
     const auto added = static_cast<TriangleId>(mesh.mate.size() - 1);
     inserter.share_with_added(triangle_of(mesh.tri.twin[mesh.mate[added]]));
   }
-  constexpr std::size_t kReportEvery = 4096;
+  constexpr std::size_t kReportEvery = 4096, kSlow = 256;  // the first ones look at all points
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    if (i % kReportEvery == 0) {
+    if (i < kSlow || i % kReportEvery == 0) {
       report_progress(options.progress, "inserting",
                       static_cast<double>(i) / static_cast<double>(inner.size()));
     }

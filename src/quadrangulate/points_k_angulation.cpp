@@ -147,7 +147,8 @@ class Candidates {
   void try_grown_faces() {
     report_progress(options_.progress, "growing faces", 0);
     std::size_t work = kWork + kWorkAPoint * points_.size();
-    try_plan(transfer_triangles(grow_faces(points_, k_), k_, {.disturbances = 40}, work));
+    try_plan(transfer_triangles(grow_faces(points_, k_), k_,
+                                {.disturbances = 40, .progress = options_.progress}, work));
   }
 
   /// Other ends of the cut and other disturbances each time.
@@ -161,8 +162,9 @@ class Candidates {
       report_progress(options_.progress, "cutting sides",
                       1 - static_cast<double>(work) / static_cast<double>(all_work));
       const std::size_t steps = 1 + (h / 2 - 1 + i / h) % (h - 1);
-      const LabelledTriangles start = cut_sides(points_, hull_, i % h, steps, k_);
-      try_plan(transfer_triangles(start, k_, {.seed = i + 1}, work));
+      const LabelledTriangles start =
+          cut_sides(points_, hull_, i % h, steps, k_, options_.progress);
+      try_plan(transfer_triangles(start, k_, {.seed = i + 1, .progress = options_.progress}, work));
       if (within_bound()) return;
     }
   }
@@ -217,8 +219,7 @@ KAngulationResult k_angulate_points(std::span<const Point> input, std::size_t k,
   report_progress(options.progress, "input", 0);
   DistinctPoints distinct = points_of_the_plane(input);
   const auto& points = distinct.points;
-  report_progress(options.progress, "convex layers", 0);
-  const ConvexLayers layers = convex_layers(points);
+  const ConvexLayers layers = convex_layers(points, options.progress);
   Candidates candidates(points, layers, k, options);
   const bool spiral = options.method == PointMethod::kSpiral;
   if (spiral) candidates.try_spiral();

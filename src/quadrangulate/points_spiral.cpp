@@ -57,8 +57,7 @@ void add_odd_point(const Serpentine& path, const OddPlace& odd, PointResult& res
 }  // namespace
 
 PointResult spiral_quadrangulation(const std::vector<Point>& points, const PointOptions& options) {
-  report_progress(options.progress, "convex layers", 0);
-  const ConvexLayers layers = convex_layers(points);
+  const ConvexLayers layers = convex_layers(points, options.progress);
   report_progress(options.progress, "spiral", 0);
   const auto hull = layers.layer(0);
   const bool odd = hull.size() % 2 == 1;

@@ -34,9 +34,8 @@ TriangleResult quadrangulate_triangles(const TriangleMesh& input, const Triangle
 }
 
 PlanarResult quadrangulate_polygons(const PlanarInput& input, const TriangleOptions& options) {
-  report_progress(options.progress, "triangulating", 0);
   PlanarResult result;
-  result.triangulation = constrained_delaunay(input);
+  result.triangulation = constrained_delaunay(input, Extent::kInside, options.progress);
   TriangleMesh triangles{result.triangulation.mesh, {}, result.triangulation.part, {}, {}};
   for (const std::uint32_t edge : result.triangulation.edge)
     triangles.keep.push_back(edge != kNone);

@@ -37,6 +37,7 @@
 #include <optional>
 #include <string>
 
+#include "core/step_reports.hpp"
 #include "quadloom/dual.hpp"
 #include "quadrangulate/border_edges.hpp"
 #include "quadrangulate/mesh_parts.hpp"
@@ -67,7 +68,9 @@ class Fans {
     for (const HalfedgeId h : boundary_edges(open_)) {
       if (colour_[h] == chosen[parts_.part[triangle_of(h)]]) pair_fan(h);
     }
+    StepReports report(options_.progress, "ways out", over_.size(), 16);
     for (const Over& over : over_) {
+      report();
       if (mate_[over.triangle] == kNone && over.may_stay.empty()) find_way_out(over.triangle);
     }
     add_points();

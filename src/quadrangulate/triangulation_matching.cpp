@@ -86,9 +86,9 @@ DualMatching best_matching(const DualGraph& graph, const Weights& weight,
                            const TriangleOptions& options, TriangleMatching& out) {
   constexpr MatchingGoal kGoal = MatchingGoal::kSizeThenWeight;
   if (options.effort == MatchingEffort::kExact) {
-    return maximum_weight_matching(graph, weight, kGoal).matching;
+    return maximum_weight_matching(graph, weight, kGoal, options.progress).matching;
   }
-  NearMaximumMatching near = near_maximum_weight_matching(graph, weight, kGoal);
+  NearMaximumMatching near = near_maximum_weight_matching(graph, weight, kGoal, options.progress);
   if (near.upper_bound > near.weight) {
     out.weight_gap =
         static_cast<double>(near.upper_bound - near.weight) / static_cast<double>(near.upper_bound);

@@ -24,6 +24,7 @@
 #include <string>
 #include <utility>
 
+#include "core/step_reports.hpp"
 #include "quadrangulate/mesh_parts.hpp"
 #include "quadrangulate/odd_parts.hpp"
 #include "quadrangulate/steiner_crossing.hpp"
@@ -57,9 +58,12 @@ PairedMesh paired_mesh(const TriangleMesh& input, Triangulation cut,
 }
 
 /// How many triangles stay free.
-std::size_t cross_together(SteinerCrossing& crossing, const PairedMesh& mesh) {
+std::size_t cross_together(SteinerCrossing& crossing, const PairedMesh& mesh,
+                           const Progress& progress) {
   std::vector<TriangleId> free = free_triangles(mesh);
+  StepReports report(progress, "crossing", free.size(), 1);
   for (const TriangleId t : free) {
+    report();
     // A second try may find another way where the first one met a triangle without room.
     for (int tries = 0; tries < 8 && mesh.is_free(t); ++tries) crossing.merge(t);
   }
@@ -107,8 +111,7 @@ PairedTriangles convert(const TriangleMesh& input, const Triangulation& cut,
                                         : std::span<const WalkLimits>(kSurfaceRounds);
       walk_together(walker, mesh, rounds, options.progress);
     }
-    report_progress(options.progress, "crossing", 0);
-    cross_together(crossing, mesh);
+    cross_together(crossing, mesh, options.progress);
     if (options.odd_boundary != OddBoundary::kTriangle) require_no_rest(mesh);
   }
 

@@ -13,6 +13,8 @@
 #include <queue>
 #include <tuple>
 
+#include "core/step_reports.hpp"
+
 namespace quadloom::strips {
 namespace {
 
@@ -33,7 +35,7 @@ double cost_of(int width) {
   return cost;
 }
 
-Grown grow(const DualGraph& graph, TriangleId start) {
+Grown grow(const DualGraph& graph, TriangleId start, const Progress& progress) {
   // by growth of the frontier, then by age; an entry is void once its node has been taken or has grown
   // better
   using Entry = std::tuple<int, std::uint32_t, TriangleId>;
@@ -46,11 +48,13 @@ Grown grow(const DualGraph& graph, TriangleId start) {
   int width = 0;
   age[start] = clock++;
   waiting.push({degree(graph, start), age[start], start});
+  StepReports report(progress, "ordering triangles", graph.node_count());
   while (!waiting.empty()) {
     const auto [growth, born, t] = waiting.top();
     waiting.pop();
     if (taken[t] != 0) continue;
     taken[t] = 1;
+    report();
     width += growth;
     out.order.node.push_back(t);
     out.order.width = std::max(out.order.width, static_cast<std::size_t>(width));
@@ -82,7 +86,7 @@ TriangleId far_from(const DualGraph& graph, TriangleId start) {
 
 }  // namespace
 
-FrontierOrder frontier_order(const DualGraph& graph) {
+FrontierOrder frontier_order(const DualGraph& graph, const Progress& progress) {
   constexpr TriangleId kSpread = 8;
   const auto count = static_cast<TriangleId>(graph.node_count());
   std::vector<TriangleId> starts = {far_from(graph, 0)};
@@ -92,7 +96,7 @@ FrontierOrder frontier_order(const DualGraph& graph) {
   }
   Grown best;
   for (const TriangleId start : starts) {
-    Grown grown = grow(graph, start);
+    Grown grown = grow(graph, start, progress);
     if (best.order.node.empty() || grown.cost < best.cost) best = std::move(grown);
   }
   return std::move(best.order);

@@ -13,6 +13,6 @@ struct FrontierOrder {
 };
 
 /// The best of a few greedy orders of a connected graph. O(n log n).
-FrontierOrder frontier_order(const DualGraph& graph);
+FrontierOrder frontier_order(const DualGraph& graph, const Progress& progress = {});
 
 }  // namespace quadloom::strips

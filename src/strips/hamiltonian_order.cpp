@@ -26,6 +26,7 @@ HamiltonianOrder hamiltonian_order(const Triangulation& mesh, const OrderSearchO
   if (mesh.tri_vertex.empty()) {
     throw Error(ErrorCode::kTooFewPoints, "a mesh without triangles has no order");
   }
+  report_progress(options.progress, "input", 0);
   const DualGraph graph = dual_graph(mesh);
   HamiltonianOrder out;
   if (auto obstacle = strips::find_obstacle(graph, options.kind)) {
@@ -39,7 +40,7 @@ HamiltonianOrder hamiltonian_order(const Triangulation& mesh, const OrderSearchO
     for (TriangleId t = 0; t < graph.node_count(); ++t) out.order.push_back(t);
     return out;
   }
-  const strips::FrontierOrder order = strips::frontier_order(graph);
+  const strips::FrontierOrder order = strips::frontier_order(graph, options.progress);
   constexpr std::array<std::size_t, 6> kBeams = {64, 256, 1024, 4096, 16384, 0};
   for (const std::size_t beam : kBeams) {
     strips::FrontierLimits limits;

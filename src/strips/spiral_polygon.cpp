@@ -39,6 +39,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/step_reports.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "quadloom/strips.hpp"
 #include "quadrangulate/point_input.hpp"
@@ -56,7 +57,8 @@ enum class Replaced { kPivot, kPass };
 
 class Winding {
  public:
-  explicit Winding(std::span<const Point> points) : input_(points) {}
+  Winding(std::span<const Point> points, const Progress& progress)
+      : input_(points), progress_(progress) {}
 
   SpiralPolygon run() {
     sort_points();
@@ -126,7 +128,9 @@ class Winding {
   void wind(ShrinkingHull& hull) {
     VertexId pivot = start_, pass = pass_, pivot_before = kNone;
     bool fresh = false;
+    StepReports report(progress_, "winding", 2 * points_.size());
     while (!hull.empty()) {
+      report();
       ++out_.statistics.iterations;
       const Spot next = tangent(hull, pivot, fresh);
       fresh = orient(points_[pivot], points_[pass], points_[next.point]) > 0;
@@ -180,6 +184,7 @@ class Winding {
   }
 
   std::span<const Point> input_;
+  const Progress& progress_;
   std::vector<VertexId>
       order_;  // lexicographic; the other members name points by their place in it
   std::vector<Point> points_;
@@ -192,9 +197,9 @@ class Winding {
 
 }  // namespace
 
-SpiralPolygon spiral_polygon(std::span<const Point> input) {
+SpiralPolygon spiral_polygon(std::span<const Point> input, const Progress& progress) {
   DistinctPoints distinct = quadrangulate::points_of_the_plane(input);
-  SpiralPolygon result = Winding(distinct.points).run();
+  SpiralPolygon result = Winding(distinct.points, progress).run();
   result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, distinct.points.size());
   result.mesh.points = std::move(distinct.points);
   result.input_to_vertex = std::move(distinct.input_to_vertex);

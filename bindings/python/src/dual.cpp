@@ -240,24 +240,28 @@ more than 90 degrees. The same integers on every platform.)");
       "strictly convex. Raises Error: bad-option.");
   m.def(
       "maximum_weight_matching",
-      [](const DualGraph& graph, const NumbersLike& weight, const Choice<MatchingGoal>& goal) {
+      [](const DualGraph& graph, const NumbersLike& weight, const Choice<MatchingGoal>& goal,
+         const ProgressLike& progress) {
         const std::vector<std::int32_t> w = weights_from(weight);
         const MatchingGoal g = goal.get("goal");
-        return without_gil([&] { return maximum_weight_matching(graph, w, g); });
+        return run(progress,
+                   [&](const Progress& p) { return maximum_weight_matching(graph, w, g, p); });
       },
-      "graph"_a, "weight"_a, "goal"_a,
+      "graph"_a, "weight"_a, "goal"_a, nb::kw_only(), "progress"_a = nb::none(),
       R"(The best matching, proven. Weights are integers by halfedge, the same on both sides.
 
 Raises Error: bad-option if the weights are not one a halfedge and the same on both sides, or so large that sums do not
 fit 62 bits. Seconds for a million nodes.)");
   m.def(
       "near_maximum_weight_matching",
-      [](const DualGraph& graph, const NumbersLike& weight, const Choice<MatchingGoal>& goal) {
+      [](const DualGraph& graph, const NumbersLike& weight, const Choice<MatchingGoal>& goal,
+         const ProgressLike& progress) {
         const std::vector<std::int32_t> w = weights_from(weight);
         const MatchingGoal g = goal.get("goal");
-        return without_gil([&] { return near_maximum_weight_matching(graph, w, g); });
+        return run(progress,
+                   [&](const Progress& p) { return near_maximum_weight_matching(graph, w, g, p); });
       },
-      "graph"_a, "weight"_a, "goal"_a,
+      "graph"_a, "weight"_a, "goal"_a, nb::kw_only(), "progress"_a = nb::none(),
       R"(A good matching in about half of the time: the first rounds of the exact algorithm, then, for size-then-weight, the
 missing pairs by maximum_matching. The size is exact, the weight is within upper_bound - weight of the best one.
 

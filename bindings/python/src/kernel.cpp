@@ -101,25 +101,29 @@ void bind_layers(nb::module_& m) {
       "order.");
   m.def(
       "convex_layers",
-      [](const PointsLike& points) {
+      [](const PointsLike& points, const ProgressLike& progress) {
         const Points input(points);
-        return without_gil([&] { return convex_layers(checked_points(input)); });
+        return run(progress,
+                   [&](const Progress& p) { return convex_layers(checked_points(input), p); });
       },
-      "points"_a,
+      "points"_a, nb::kw_only(), "progress"_a = nb::none(),
       "The convex layers of distinct points: each is the hull of what those before it leave. "
       "Raises Error as "
       "convex_hull. O(n log n).");
   m.def(
       "convex_spiral",
-      [](const PointsLike& points, VertexId start) {
+      [](const PointsLike& points, VertexId start, const ProgressLike& progress) {
         const Points input(points);
         if (start != kNone && start >= input.xy().size()) {
           throw Error(ErrorCode::kIndexOutOfRange,
                       "start: there is no point " + std::to_string(start), {start});
         }
-        return own(without_gil([&] { return convex_spiral(checked_points(input), start); }));
+        return own(run(progress, [&](const Progress& p) {
+          const auto distinct = checked_points(input);
+          return convex_spiral(distinct, convex_layers(distinct, p), start);
+        }));
       },
-      "points"_a, "start"_a = kNone,
+      "points"_a, "start"_a = kNone, nb::kw_only(), "progress"_a = nb::none(),
       R"(The convex spiral of distinct points (Bose and Toussaint, section 4), uint32 (n,): every point once, from `start`
 (a corner of the hull; NONE: the lexicographically smallest point) clockwise around the hull and on inwards, collinear
 points in order. Raises Error as convex_hull. O(n log n).)");
@@ -240,11 +244,13 @@ Raises Error: not-finite, too-few-points, all-collinear, too-many-points. O(n lo
   m.def(
       "constrained_delaunay",
       [](const PolygonsLike& polygons, const PointsLike& points, const NumbersLike& segments,
-         const PointsLike& holes, const PointsLike& regions, const Choice<Extent>& extent) {
+         const PointsLike& holes, const PointsLike& regions, const Choice<Extent>& extent,
+         const ProgressLike& progress) {
         const PlanarArgument given(polygons, points, segments, holes, regions);
         const Extent covered = extent.get("extent");
-        auto* const out =
-            made(without_gil([&] { return constrained_delaunay(given.input, covered); }));
+        auto* const out = made(run(progress, [&](const Progress& p) {
+          return constrained_delaunay(given.input, covered, p);
+        }));
         carry_heights(given.z, out->input_to_vertex, *out);
         out->guarantee =
             "every input edge is an edge or a chain of edges, every other edge is locally "
@@ -252,7 +258,7 @@ Raises Error: not-finite, too-few-points, all-collinear, too-many-points. O(n lo
         return out;
       },
       "polygons"_a, "points"_a = nb::none(), "segments"_a = nb::none(), "holes"_a = nb::none(),
-      "regions"_a = nb::none(), nb::kw_only(), "extent"_a = "inside",
+      "regions"_a = nb::none(), nb::kw_only(), "extent"_a = "inside", "progress"_a = nb::none(),
       R"(The constrained Delaunay triangulation, exact, without new points: every input edge is an edge of it, or a chain
 of edges where points lie on it, and every other edge is locally Delaunay.
 

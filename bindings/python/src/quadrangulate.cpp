@@ -205,13 +205,14 @@ is even (Bose and Toussaint, theorem 3.1) and they are not all collinear. Repeat
 Raises Error: not-finite, too-many-points. O(n log n).)");
   m.def(
       "serpentine_triangulation",
-      [](const PointsLike& points) {
+      [](const PointsLike& points, const ProgressLike& progress) {
         const Points input(points);
-        auto* const out = made(without_gil([&] { return serpentine_triangulation(input.xy()); }));
+        auto* const out = made(run(
+            progress, [&](const Progress& p) { return serpentine_triangulation(input.xy(), p); }));
         carry_heights(input, *out);
         return out;
       },
-      "points"_a,
+      "points"_a, nb::kw_only(), "progress"_a = nb::none(),
       R"(The serpentine triangulation of the convex spiral (Bose and Toussaint, lemma 4.1): triangles in the order of
 the dual path, consecutive ones share an edge; 2n - 2 - h triangles.
 

@@ -142,13 +142,14 @@ for about 12 points), "unknown" if the work (triangles tried) runs out. More poi
 Raises Error: not-finite, too-few-points, all-collinear, too-many-points, cancelled.)");
   m.def(
       "spiral_polygon",
-      [](const PointsLike& points) {
+      [](const PointsLike& points, const ProgressLike& progress) {
         const Points input(points);
-        auto* const out = made(without_gil([&] { return spiral_polygon(input.xy()); }));
+        auto* const out =
+            made(run(progress, [&](const Progress& p) { return spiral_polygon(input.xy(), p); }));
         carry_heights(input, *out);
         return out;
       },
-      "points"_a,
+      "points"_a, nb::kw_only(), "progress"_a = nb::none(),
       R"(A simple polygon with all the points as corners whose reflex corners are one chain at most, with a serpentine
 triangulation (Iwerks and Mitchell, theorem 2.5). Of points that the turning ray meets at once the nearest is taken;
 collinear ones become flat corners.
