@@ -97,12 +97,19 @@ def _whole(given, name):
 
 def faces(given):
     """Faces as arrays (m, k) uint32, one for each run of faces of the same size."""
-    if isinstance(given, np.ndarray) and given.dtype != object:
-        return [_face_array(given)]
-    given = list(given)
-    sizes = [len(face) for face in given]
+    try:
+        array = np.asarray(given)
+        if array.dtype != object:
+            return [_face_array(array)]
+    except ValueError:  # faces of different sizes
+        pass
+    try:
+        rows = [np.asarray(face) for face in given]
+        sizes = [len(face) for face in rows]
+    except (TypeError, ValueError) as error:
+        raise Error(f"faces must be of shape (m, k), or a list of faces ({error})") from None
     starts = [i for i, size in enumerate(sizes) if i == 0 or size != sizes[i - 1]]
-    return [_face_array(given[a:b]) for a, b in zip(starts, [*starts[1:], len(given)])]
+    return [_face_array(np.stack(rows[a:b])) for a, b in zip(starts, [*starts[1:], len(rows)])]
 
 
 def _face_array(given):

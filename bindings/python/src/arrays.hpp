@@ -3,6 +3,7 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/typing.h>
 
 #include <array>
 #include <cstdint>
@@ -76,6 +77,14 @@ auto own(std::vector<T> elements) {
   const nanobind::capsule owner(kept,
                                 [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
   return view<Width>(*kept, owner);
+}
+
+/// A list of rings, float64 (k, 2) each, the outer one first.
+using Rings = nanobind::typed<nanobind::list, Array<double, 2>>;
+inline Rings rings_of(const Polygon& polygon) {
+  nanobind::list out;
+  for (const std::vector<Point>& ring : polygon.rings) out.append(own(std::vector(ring)));
+  return nanobind::borrow<Rings>(out);
 }
 
 }  // namespace quadloom::python

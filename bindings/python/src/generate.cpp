@@ -14,19 +14,6 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace quadloom::python {
-namespace {
-
-using Ring = nb::ndarray<nb::numpy, const double, nb::shape<-1, 2>>;
-
-// A list of rings, each (k, 2).
-std::vector<Ring> rings_of(Polygon&& polygon) {
-  std::vector<Ring> out;
-  for (std::vector<Point>& ring : polygon.rings) out.push_back(own(std::move(ring)));
-  return out;
-}
-
-}  // namespace
-
 void bind_generate(nb::module_& m) {
   Fields<Generator>(m, "Generator", "One kind of point set.")
       .value("name", &Generator::name, "What generate_points knows it by.")

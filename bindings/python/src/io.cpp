@@ -166,15 +166,12 @@ for a mesh that no file should hold.)");
 
 // ---- Polygons, lines, strips, text. ----
 
-using Rings = std::vector<std::vector<Array<double, 2>>>;
+using PolygonList = nb::typed<nb::list, Rings>;
 
-Rings rings_of(const std::vector<Polygon>& polygons) {
-  Rings out;
-  for (const Polygon& polygon : polygons) {
-    auto& rings = out.emplace_back();
-    for (const auto& ring : polygon.rings) rings.push_back(own(std::vector(ring)));
-  }
-  return out;
+PolygonList polygons_of(const io::PlanarFile& file) {
+  nb::list out;
+  for (const Polygon& polygon : file.input.polygons) out.append(rings_of(polygon));
+  return nb::borrow<PolygonList>(out);
 }
 
 void bind_planar_file(nb::module_& m) {
@@ -184,7 +181,7 @@ void bind_planar_file(nb::module_& m) {
             "given where "
             "polygons are expected; its points, segments, holes and regions then come along.")
       .get(
-          "polygons", [](const F& f) { return rings_of(f.input.polygons); },
+          "polygons", [](const F& f) { return polygons_of(f); },
           "Of each polygon its rings, float64 (k, 2), the outer one first.")
       .array(
           "points", [](const F& f) -> const auto& { return f.input.points; },
@@ -379,6 +376,22 @@ a ring, lines of `overlay` (each (k, 2)) drawn over the mesh. `group`, for colou
 from 20 points to 200,000.
 
 Raises Error: file, bad-option; index-out-of-range, not-finite for a mesh that cannot be drawn.)");
+  m.def(
+      "draw_picture",
+      [](const std::string& format, const MeshLike& mesh, int width,
+         const Choice<io::ColourBy>& colour, const NumbersLike& group,
+         std::vector<std::string> group_names, std::string title,
+         const std::vector<PointsLike>& overlay) {
+        const Drawing made = drawing_of(mesh, width, colour, group, std::move(group_names),
+                                        std::move(title), overlay);
+        const std::string bytes =
+            without_gil([&] { return io::draw_picture(format, made.mesh, made.options); });
+        return nb::bytes(bytes.data(), bytes.size());
+      },
+      "format"_a, "mesh"_a, nb::kw_only(), "width"_a = io::DrawOptions().width,
+      "colour"_a = "quality", "group"_a = nb::none(), "group_names"_a = nb::list(), "title"_a = "",
+      "overlay"_a = nb::list(),
+      "The bytes of the file that draw_mesh would write; `format` is \"svg\", \"png\" or \"pdf\".");
   m.def("draw_sheet", &draw, "path"_a, "panels"_a, "columns"_a,
         "Several pictures on one sheet, with their titles, `columns` a row. Raises Error as "
         "draw_mesh.");

@@ -75,7 +75,7 @@ void bind_point_results(nb::module_& m) {
       .array("input_to_vertex", &S::input_to_vertex, "One per input point: the vertex that it is.")
       .value("inner_points", &S::inner_points, "Strictly inside the hull.")
       .value("work", &S::work, "Triangles tried.");
-  Fields<SpiralPolygonStatistics>(m, "SpiralPolygonStatistics", "What a run did.")
+  Fields<SpiralPolygonStatistics>(m, "SpiralPolygonStatistics", "What a run of spiral_polygon did.")
       .value("iterations", &SpiralPolygonStatistics::iterations,
              "Turns of the algorithm's loop, at most 2 n.")
       .done();
