@@ -92,8 +92,8 @@ def check_public_headers(root):
 
 
 def check_users(root):
-    """The command line and the examples are users: public headers alone."""
-    for path in sorted([*root.glob("apps/**/*.[hc]pp"), *root.glob("examples/**/*.[hc]pp")]):
+    """The command line, the bindings and the examples are users: public headers alone."""
+    for path in sorted(path for folder in ("apps", "bindings", "examples") for path in root.glob(f"{folder}/**/*.[hc]pp")):
         for number, line, quote, name in includes(path):
             room = name.split("/")[0] if quote == '"' else None
             if room in ROOMS and not (path.parent / name).exists():
@@ -137,6 +137,7 @@ def self_test():
         ("include/quadloom/quadloom.hpp", good["include/quadloom/quadloom.hpp"] + '\n#include "quadloom/io.hpp"',
          "library of its own"),
         ("apps/quadloom/main.cpp", '#include "kernel/a.hpp"', "apps/quadloom/main.cpp:1: "),
+        ("bindings/python/src/core.cpp", '#include "core/random.hpp"', "public headers alone"),
         ("examples/cpp/first.cpp", '#include "core/random.hpp"', "public headers alone"),
     ]
 

@@ -160,7 +160,8 @@ def polygons(given):
 
 def is_polygon(given):
     """Whether it is a polygon by itself, and no array of points."""
-    return isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) and _depth(given) > 2
+    return (_interop.is_polygons(given)
+            or isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) and _depth(given) > 2)
 
 
 def _depth(given):
