@@ -57,7 +57,8 @@ Points::Points(const PointsLike& given) : keep_(given) {
   Plane plane;
   const auto readable = [&] {
     return nb::try_cast<Plane>(keep_, plane, false) &&
-           reinterpret_cast<std::uintptr_t>(plane.data()) % alignof(double) == 0;
+           (plane.shape(0) == 0 ||
+            reinterpret_cast<std::uintptr_t>(plane.data()) % alignof(double) == 0);
   };
   if (!readable()) {
     keep_ = conversions().attr("points")(given);

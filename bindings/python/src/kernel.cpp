@@ -257,8 +257,9 @@ Raises Error: not-finite, too-few-points, all-collinear, too-many-points. O(n lo
             "Delaunay, exactly";
         return out;
       },
-      "polygons"_a = nb::none(), "points"_a = nb::none(), "segments"_a = nb::none(), "holes"_a = nb::none(),
-      "regions"_a = nb::none(), nb::kw_only(), "extent"_a = "inside", "progress"_a = nb::none(),
+      "polygons"_a = nb::none(), "points"_a = nb::none(), "segments"_a = nb::none(),
+      "holes"_a = nb::none(), "regions"_a = nb::none(), nb::kw_only(), "extent"_a = "inside",
+      "progress"_a = nb::none(),
       R"(The constrained Delaunay triangulation, exact, without new points: every input edge is an edge of it, or a chain
 of edges where points lie on it, and every other edge is locally Delaunay.
 

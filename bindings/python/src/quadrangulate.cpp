@@ -314,10 +314,11 @@ index-out-of-range, not-finite, too-many-points, cancelled.)");
         return planar_quads(PlanarArgument(polygons, points, segments, holes, regions),
                             options.options, progress);
       },
-      "polygons"_a = nb::none(), "points"_a = nb::none(), "segments"_a = nb::none(), "holes"_a = nb::none(),
-      "regions"_a = nb::none(), nb::kw_only(), "method"_a = "pair", "leftover"_a = "walk",
-      "pairs"_a = "auto", "weight"_a = "shape", "effort"_a = "near", "min_quality"_a = 0.0,
-      "halfedge_weight"_a = nb::none(), "odd_boundary"_a = "on-edge", "progress"_a = nb::none(),
+      "polygons"_a = nb::none(), "points"_a = nb::none(), "segments"_a = nb::none(),
+      "holes"_a = nb::none(), "regions"_a = nb::none(), nb::kw_only(), "method"_a = "pair",
+      "leftover"_a = "walk", "pairs"_a = "auto", "weight"_a = "shape", "effort"_a = "near",
+      "min_quality"_a = 0.0, "halfedge_weight"_a = nb::none(), "odd_boundary"_a = "on-edge",
+      "progress"_a = nb::none(),
       R"(Polygons with holes, segments and inner points into quadrilaterals: quadrangulate_triangles on their
 constrained Delaunay triangulation. Segments and the borders between polygons are edges to keep.
 
