@@ -148,6 +148,11 @@ def test_shapely_polygons_are_polygons():
     assert np.array_equal(mesh.quads, quadloom.quadrangulate_polygons([OUTER, HOLE]).quads)
 
 
+def test_shapely_polygons_are_polygons_where_points_may_be_given():
+    order = quadloom.sequential_triangulation(shapely.box(0, 0, 9, 9))
+    assert isinstance(order, quadloom.PolygonOrder) and len(order.triangles) == 2
+
+
 def test_shapely_multipolygons_are_polygons():
     lakes = shapely.MultiPolygon([shapely.Polygon(OUTER, [HOLE]), shapely.box(20, 0, 30, 10)])
     mesh = quadloom.quadrangulate_polygons(lakes)
