@@ -26,7 +26,8 @@ def plot(mesh: Mesh, ax=None, *, colour="quality", edges=True, added=True, **opt
         if values is not None and isinstance(colour, str):
             fill |= {"clim": (0, 1)}
         coloured = _add_faces(ax, xy, faces, **(fill | (_lines(faces, values is None) if edges else {}) | options))
-    coloured.set_cmap(coloured.cmap.with_extremes(bad=_OTHER_FACE))
+        if isinstance(colour, str):
+            coloured.set_cmap(coloured.cmap.with_extremes(bad=_OTHER_FACE))
     if added and mesh.is_steiner.any():
         ax.plot(*xy[mesh.is_steiner].T, "o", markerfacecolor="none", markeredgecolor=_ADDED, zorder=coloured.zorder + 2)
     ax.set_aspect("equal")
