@@ -23,6 +23,16 @@ using Contiguous = nb::ndarray<Shape..., nb::c_contig, nb::device::cpu, nb::ro>;
 
 nb::object conversions() { return nb::module_::import_("quadloom._inputs"); }
 
+// Whether the conversions take it for one; what they cannot make out is none. Overloads are chosen by this, where
+// nothing may be thrown.
+bool is_one(PyObject* given, const char* question) {
+  try {
+    return nb::cast<bool>(conversions().attr(question)(nb::handle(given)));
+  } catch (nb::python_error&) {
+    return false;
+  }
+}
+
 template <typename T>
 std::vector<T> numbers_from(const NumbersLike& given, const char* name, const char* converter) {
   if (!given.is_valid() || given.is_none()) return {};
@@ -44,13 +54,10 @@ std::span<const Point> check_finite(std::span<const Point> points) {
 }
 
 bool MeshAlone::is_mesh(PyObject* given) {
-  return nb::isinstance<Mesh>(given) ||
-         nb::cast<bool>(conversions().attr("is_mesh")(nb::handle(given)));
+  return nb::isinstance<Mesh>(given) || is_one(given, "is_mesh");
 }
 
-bool PolygonAlone::is_polygon(PyObject* given) {
-  return nb::cast<bool>(conversions().attr("is_polygon")(nb::handle(given)));
-}
+bool PolygonAlone::is_polygon(PyObject* given) { return is_one(given, "is_polygon"); }
 
 Points::Points(const PointsLike& given) : keep_(given) {
   using Plane = Contiguous<double, nb::shape<-1, 2>>;
