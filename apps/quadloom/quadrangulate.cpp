@@ -67,9 +67,9 @@ PointRun point_run(const QuadrangulateOptions& o) {
   run.convex = o.convex;
   if (run.k == 4) return run;
   refuse(o, {"--convex"}, "is for faces of 4 corners");
-  if (o.has("--method") && run.making.method != PointMethod::kSpiral) {
+  if (run.making.method != PointMethod::kDelaunay && run.making.method != PointMethod::kSpiral) {
     throw Error(ErrorCode::kBadOption,
-                "--k: faces of more than 4 corners are made by the spiral only");
+                "--k: faces of more than 4 corners are made by delaunay and spiral only");
   }
   refuse(o, {"--odd-boundary"}, "is for faces of 4 corners");
   return run;
@@ -181,7 +181,7 @@ void add_quadrangulate(CLI::App& app, Run& run) {
                  "none will do, that is said (exit code 4)");
   add_whole(*verb, "--seed", o->seed, 0, kNoLimit, "Points and --convex: seed of random choices");
   add_whole(*verb, "--k", o->points.k, 4, 1 << 20,
-            "Points: corners of each face; above 4 the method is the spiral");
+            "Points: corners of each face; above 4 the methods are delaunay and spiral");
   verb->add_option("--picture", o->output.picture, "Also draw the mesh: .svg, .png or .pdf");
   verb->add_option("--report", o->output.report,
                    "Also write all figures as JSON; - for standard output");

@@ -47,7 +47,7 @@ class Usage(CommandLine):
     def test_options_that_exclude_each_other(self):
         self.write("p.xyz", SQUARE)
         self.refuses(2, ["--k"], "quadrangulate", "p.xyz", "-o", "m.obj", "--k", "5", "--method",
-                     "delaunay")
+                     "insertion")
         self.refuses(2, ["--odd-boundary"], "quadrangulate", "p.xyz", "-o", "m.obj", "--k", "5",
                      "--odd-boundary", "triangle")
 
