@@ -108,11 +108,22 @@ io::DrawOptions notebook_options(const Mesh& mesh) {
   return options;
 }
 
-// The picture in that format, or None where the other format is the better one.
+bool can_be_drawn(const io::MeshFile& file) {
+  try {
+    check_faces(file.mesh);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// The picture in that format, or None where the other format is the better one, or where there is none.
 nb::object notebook_picture(const Mesh& mesh, bool svg) {
   if (mesh.face_count() == 0 || (mesh.face_count() <= kMostFacesAsSvg) != svg) return nb::none();
+  const io::MeshFile file = mesh.file();
+  if (!can_be_drawn(file)) return nb::none();
   const std::string picture = without_gil(
-      [&] { return io::draw_picture(svg ? "svg" : "png", mesh.file(), notebook_options(mesh)); });
+      [&] { return io::draw_picture(svg ? "svg" : "png", file, notebook_options(mesh)); });
   if (svg) return nb::str(picture.data(), picture.size());
   return nb::bytes(picture.data(), picture.size());
 }

@@ -94,4 +94,6 @@ def test_notebooks_show_a_picture(mesh):
     assert mesh._repr_png_() is None
     many = quadloom.quadrangulate_points(quadloom.generate_points("uniform", 6000))
     assert many._repr_svg_() is None and many._repr_png_().startswith(b"\x89PNG")
-    assert quadloom.PolygonMesh([[0, 0], [1, 1]])._repr_svg_() is None
+    for no_picture in (quadloom.PolygonMesh([[0, 0], [1, 1]]), quadloom.PolygonMesh([[0, 0], [1, 1]], [[0, 1, 2]]),
+                       quadloom.PolygonMesh([[0, 0], [1, 1], [np.nan, 0]], [[0, 1, 2]])):
+        assert no_picture._repr_svg_() is None
