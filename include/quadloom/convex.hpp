@@ -92,7 +92,7 @@ struct ConvexResult {
 /// A quadrangulation of a point set in which all quads are strictly convex (but for `not_convex`).
 ///
 /// Guarantee (theorem 3.1): at most 3 floor(n / 2) inner Steiner points; as a rule about a third of that
-/// for kSpiral, and n / 5,000 on uniform points for kDelaunay, which gives kSpiral's mesh where that has
+/// for kSpiral, and n / 4,000 on uniform points for kDelaunay, which gives kSpiral's mesh where that has
 /// fewer, and the sets of mesh_of_bhrs_line and mesh_of_bhrs_ring theirs. kPentagons: at most
 /// 7 ceil((2n - 2 - h) / 6) (Ramaswami, Ramos and Toussaint, theorem 4.2). If an odd number of points is
 /// on the hull: with OddBoundary::kOutside one Steiner point outside the hull where there is a place for it, else one triangle stays; kTriangle: one triangle

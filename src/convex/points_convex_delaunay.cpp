@@ -1,7 +1,7 @@
 // Strictly convex quads of a point set, Delaunay-shaped, with almost no added points.
 //
 // Beyond the paper: the quads of the Delaunay method (quadrangulate/points_delaunay.hpp) are strictly convex
-// but for some in a thousand, and these are mended (mend.hpp). On uniform points about n / 5,000 points
+// but for some in a thousand, and these are mended (mend.hpp). On uniform points about n / 4,000 points
 // are added, where theorem 3.1 of Bremner, Hurtado, Ramaswami and Sacristan has 3n/2. Mending alone does not
 // keep that bound on every set; points_convex.cpp takes the spiral's mesh where that has fewer points.
 //

@@ -157,10 +157,9 @@ Quadrangulation to_quadrangulation(QuadMesh&& mesh) {
   out.quad_vertex.reserve(4 * mesh.face_count());
   for (FaceId f = 0; f < mesh.face_count(); ++f) {
     const auto& corner = mesh.faces[f].corner;
-    if (mesh.is_quad(f))
-      out.quad_vertex.insert(out.quad_vertex.end(), corner.begin(), corner.end());
-    if (mesh.is_free(f))
-      out.tri_vertex.insert(out.tri_vertex.end(), corner.begin(), corner.end() - 1);
+    auto& list = mesh.is_quad(f) ? out.quad_vertex : out.tri_vertex;
+    const std::ptrdiff_t corners = mesh.is_quad(f) ? 4 : mesh.is_free(f) ? 3 : 0;
+    list.insert(list.end(), corner.begin(), corner.begin() + corners);
   }
   return out;
 }

@@ -1,5 +1,7 @@
 #include "quadrangulate/walk_rounds.hpp"
 
+#include "core/step_reports.hpp"
+
 namespace quadloom::quadrangulate {
 namespace {
 
@@ -36,10 +38,13 @@ std::vector<TriangleId> free_triangles(const PairedMesh& mesh) { return list_fre
 std::vector<FaceId> free_triangles(const QuadMesh& mesh) { return list_free(mesh); }
 
 void walk_convexly(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh, const Progress& progress) {
-  report_progress(progress, "walking", 0);
-  sweep(mesh, [&](FaceId t) { quick.merge_over_quad(t); });
-  report_progress(progress, "walking", 0.2);
+  StepReports report(progress, "walking", 2 * list_free(mesh).size());
   sweep(mesh, [&](FaceId t) {
+    report();
+    quick.merge_over_quad(t);
+  });
+  sweep(mesh, [&](FaceId t) {
+    report();
     if (quick.merge(t, WalkQuads::kStrictlyConvex, kNear)) return;
     if (quick.locked()) quick.merge_after_slide(t, kAfterSlide);
   });

@@ -61,6 +61,18 @@ TEST(ConvexDelaunay, AlmostNoPointsOnUniformSets) {
   EXPECT_LE(result.steiner.size(), 40U);  // n / 500; 4 to 24 on six sets
 }
 
+// More than 100,000 triangles: far walks aim, and each bad quad gets less effort.
+TEST(ConvexDelaunay, LargeSets) {
+  const ConvexResult uniform =
+      convex_checked(generate_points("uniform", 60'000, 6), OddBoundary::kTriangle);
+  EXPECT_TRUE(uniform.not_convex.empty());
+  EXPECT_LE(uniform.steiner.size(), 60U);  // n / 1,000
+  const ConvexResult rows =
+      convex_checked(generate_points("lines", 52'000, 6), OddBoundary::kTriangle);
+  EXPECT_TRUE(rows.not_convex.empty());
+  EXPECT_LE(rows.steiner.size(), 26'000U);  // n / 2, a third of the spiral's bound
+}
+
 TEST(ConvexDelaunay, TheSameSeedTheSameMesh) {
   const auto points = generate_points("lines", 400, 2);
   const auto first = convex_quadrangulation(points), second = convex_quadrangulation(points);

@@ -48,6 +48,14 @@ TEST_P(EveryGenerator, DelaunayNeverFallsBackOnAThousandSets) {
   }
 }
 
+// More faces than thorough searches are made for; rows leave tens of thousands of triangles to the far walks.
+TEST(LargeSets, DelaunayNeverFallsBack) {
+  for (const char* kind : {"uniform", "lines"}) {
+    SCOPED_TRACE(std::string(kind) + " 120,000, seed 7");
+    quadrangulate_checked(generate_points(kind, 120'000, 7), {});
+  }
+}
+
 std::vector<std::string> generator_names() {
   std::vector<std::string> names;
   for (const Generator& g : generators()) names.emplace_back(g.name);
