@@ -110,7 +110,7 @@ struct MaximumWeightMatching {
 };
 
 /// The best matching, proven. Throws Error kBadOption if the weights are not one a halfedge and the
-/// same on both sides, or so large that sums do not fit 62 bits. Seconds for a million nodes.
+/// same on both sides, or so large that sums do not fit 62 bits; kCancelled. Seconds for a million nodes.
 MaximumWeightMatching maximum_weight_matching(const DualGraph& graph,
                                               std::span<const std::int32_t> weight,
                                               MatchingGoal goal, const Progress& progress = {});

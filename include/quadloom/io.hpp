@@ -142,7 +142,8 @@ struct DrawOptions {
 /// readable from 20 points to 200,000.
 void draw_mesh(const std::string& path, const MeshFile& mesh, const DrawOptions& options = {});
 
-/// The same as the bytes of a file; `format` is "svg", "png" or "pdf".
+/// The same as the bytes of a file; `format` is "svg", "png" or "pdf". Throws Error kBadOption for
+/// others, kFile if the picture cannot be made.
 std::string draw_picture(const std::string& format, const MeshFile& mesh,
                          const DrawOptions& options = {});
 

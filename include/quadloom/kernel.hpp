@@ -54,7 +54,8 @@ std::vector<VertexId> spatial_order(std::span<const Point> points);
 std::vector<VertexId> convex_hull(std::span<const Point> points);
 
 /// Convex layers from the outside in: layer i is vertex[begin[i] .. begin[i + 1]), each as
-/// convex_hull gives it. The last layer may be one point or a segment's points in order.
+/// convex_hull gives it. The last layer may be one point or a segment's points in order. Throws Error
+/// kCancelled.
 struct ConvexLayers {
   std::vector<VertexId> vertex;
   std::vector<std::uint32_t> begin = {0};
@@ -201,7 +202,7 @@ struct ConstrainedResult {
 /// side and no part is in two polygons. Throws Error kCrossing (edges that cross or overlap, named
 /// by number), kBadPolygon (a ring of fewer than three places, rings that are not nested as outer
 /// ring and holes, polygons that overlap, nothing inside), kIndexOutOfRange (culprits: segment,
-/// index), kBadOption (holes or regions beside polygons, or on an edge), and as delaunay(). Polygons
+/// index), kBadOption (holes or regions beside polygons, or on an edge), kCancelled, and as delaunay(). Polygons
 /// and segments of n corners: O(n log n) expected, and the edges that the segments cross.
 ConstrainedResult constrained_delaunay(const PlanarInput& input, Extent extent = Extent::kInside,
                                        const Progress& progress = {});

@@ -86,7 +86,7 @@ bool has_quadrangulation(std::span<const Point> input);
 /// The serpentine triangulation of the convex spiral (Bose and Toussaint, lemma 4.1): triangles in
 /// the order of the dual path, consecutive ones share an edge; the first one has the hull edge from
 /// the spiral's start to its clockwise end. 2n - 2 - h triangles. Throws Error kNotFinite,
-/// kTooFewPoints, kAllCollinear, kTooManyPoints. O(n log n).
+/// kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled. O(n log n).
 struct SerpentineResult {
   Triangulation mesh;
   std::vector<VertexId> spiral;           ///< all vertices in the order of the spiral
@@ -242,8 +242,8 @@ struct CarriedValues {
       0;  ///< repeated points whose value differs from the first one's, which is kept
 };
 
-/// Values per input point as values per vertex, `points` and `steiner` those of a result. Input points
-/// without a vertex (kNone) are left out.
+/// Values per input point as values per vertex; all but the values are of one result, so `input` and
+/// `input_to_vertex` are equally long. Input points without a vertex (kNone) are left out.
 CarriedValues carry_values(std::span<const double> input, std::span<const VertexId> input_to_vertex,
                            std::span<const Point> points, std::span<const SteinerPoint> steiner);
 

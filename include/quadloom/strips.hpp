@@ -96,7 +96,7 @@ struct SpiralPolygon {
 /// A simple polygon with all the points as corners whose reflex corners are one chain at most, with a
 /// serpentine triangulation (Iwerks and Mitchell, theorem 2.5). Of points that the turning ray meets at
 /// once the nearest is taken; collinear ones become flat corners. Throws Error kNotFinite,
-/// kTooFewPoints, kAllCollinear, kTooManyPoints. O(n log n).
+/// kTooFewPoints, kAllCollinear, kTooManyPoints, kCancelled. O(n log n).
 SpiralPolygon spiral_polygon(std::span<const Point> input, const Progress& progress = {});
 
 // ---- Polygons. ----
