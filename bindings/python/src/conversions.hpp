@@ -19,18 +19,12 @@ namespace quadloom::python {
 struct PlanarQuads : TriangleResult {
   std::shared_ptr<Made<ConstrainedResult>> source;
 };
-inline Parts parts_of(const PlanarQuads& r) {
-  return parts_of(static_cast<const TriangleResult&>(r));
-}
 
 /// ConvexMeshResult, its mesh as the base.
 struct ConvexQuads : TriangleResult {
   std::vector<QuadId> not_convex;
   MendStatistics mending;
 };
-inline Parts parts_of(const ConvexQuads& r) {
-  return parts_of(static_cast<const TriangleResult&>(r));
-}
 
 /// TriangleOptions from the arguments; keeps the weights that they refer to.
 struct TriangleOptionsArgument {

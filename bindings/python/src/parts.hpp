@@ -31,9 +31,12 @@ inline Parts parts_of(const TriangleMesh& m) {
   return parts;
 }
 inline Parts parts_of(const ConnectedMesh& m) { return parts_of(m.triangles); }
+inline Parts parts_of(const ConvexDecomposition& r) { return parts_of(r.parts); }
 
+/// What has a `mesh`: with the added points and the heights that stand beside it.
 template <typename Result>
-Parts parts_of_result(const Result& r) {
+requires requires(const Result& r) { r.mesh; }
+Parts parts_of(const Result& r) {
   Parts parts = parts_of(r.mesh);
   if constexpr (requires {
                   r.steiner;
@@ -43,25 +46,6 @@ Parts parts_of_result(const Result& r) {
     parts.input_vertices = r.input_vertices;
   }
   if constexpr (requires { r.z; }) parts.z = r.z;
-  return parts;
-}
-inline Parts parts_of(const PointResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const ConvexResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const KAngulationResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const TriangleResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const ExactConvexResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const DelaunayResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const ConstrainedResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const SerpentineResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const HamiltonianResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const SequentialResult& r) { return parts_of_result(r); }
-inline Parts parts_of(const SpiralPolygon& r) { return parts_of_result(r); }
-inline Parts parts_of(const PolygonOrder& r) { return parts_of_result(r); }
-inline Parts parts_of(const HamiltonianRefinement& r) { return parts_of_result(r); }
-inline Parts parts_of(const ConvexDecomposition& r) { return parts_of(r.parts); }
-inline Parts parts_of(const io::MeshFile& f) {
-  Parts parts = parts_of(f.mesh);
-  parts.z = f.z;
   return parts;
 }
 
