@@ -151,10 +151,8 @@ void bind_results(nb::module_& m) {
 
 Made<ConvexQuads>* convex_mesh(const TriangleMeshArgument& input, const TriangleOptions& options,
                                std::uint64_t seed, const ProgressLike& progress) {
-  ConvexMeshResult result = run(progress, [&](const Progress& p) {
-    TriangleOptions o = options;
-    o.progress = p;
-    return convex_quadrangulation(input.mesh(), o, seed);
+  ConvexMeshResult result = run(progress, options, [&](const auto& with) {
+    return convex_quadrangulation(input.mesh(), with, seed);
   });
   std::string guarantee = guarantee_of(result);
   name_source_faces(input.source_face(), result.quads);
@@ -197,9 +195,8 @@ Raises Error as quadrangulate_triangles; bad-mesh for a surface in space, bad-op
         o.method = method.get("method");
         o.odd_boundary = odd_boundary.get("odd_boundary");
         o.seed = seed;
-        auto* const out = made(run(progress, [&](const Progress& p) {
-          o.progress = p;
-          return convex_quadrangulation(input.xy(), o);
+        auto* const out = made(run(progress, o, [&](const auto& with) {
+          return convex_quadrangulation(input.xy(), with);
         }));
         carry_heights(input, *out);
         out->guarantee = guarantee_of(*out, o);
@@ -230,9 +227,8 @@ void bind_exact(nb::module_& m) {
         ExactConvexOptions o;
         o.points_at_most = points_at_most;
         o.work_at_most = work_at_most;
-        auto* const out = made(run(progress, [&](const Progress& p) {
-          o.progress = p;
-          return exact_convex_quadrangulation(input.xy(), o);
+        auto* const out = made(run(progress, o, [&](const auto& with) {
+          return exact_convex_quadrangulation(input.xy(), with);
         }));
         carry_heights(input, *out);
         return out;

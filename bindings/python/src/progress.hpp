@@ -52,6 +52,15 @@ auto run(const ProgressLike& callable, Work work) {
   }
 }
 
+/// Does work(options) without the GIL, `options.progress` being what hears of it.
+template <typename Options, typename Work>
+auto run(const ProgressLike& callable, Options options, Work work) {
+  return run(callable, [&](const Progress& p) {
+    options.progress = p;
+    return work(std::as_const(options));
+  });
+}
+
 /// Does work() without the GIL.
 template <typename Work>
 auto without_gil(Work work) {

@@ -151,10 +151,8 @@ Made<PointResult>* py_quadrangulate_points(const PointsLike& points,
                                            std::uint64_t seed, const ProgressLike& progress) {
   const Points input(points);
   PointOptions o = point_options(method, odd_boundary, seed);
-  auto* const out = made(run(progress, [&](const Progress& p) {
-    o.progress = p;
-    return quadrangulate_points(input.xy(), o);
-  }));
+  auto* const out = made(
+      run(progress, o, [&](const auto& with) { return quadrangulate_points(input.xy(), with); }));
   carry_heights(input, *out);
   out->guarantee = guarantee_of(*out, o);
   return out;
@@ -167,10 +165,8 @@ Made<KAngulationResult>* py_k_angulate_points(const PointsLike& points, std::siz
   PointOptions o;
   o.odd_boundary = odd_boundary.get("odd_boundary");
   o.seed = seed;
-  auto* const out = made(run(progress, [&](const Progress& p) {
-    o.progress = p;
-    return k_angulate_points(input.xy(), k, o);
-  }));
+  auto* const out = made(
+      run(progress, o, [&](const auto& with) { return k_angulate_points(input.xy(), k, with); }));
   carry_heights(input, *out);
   out->guarantee = guarantee_of(*out, k);
   return out;
@@ -243,10 +239,8 @@ void bind_triangle_results(nb::module_& m) {
 
 Made<PlanarQuads>* planar_quads(const PlanarArgument& input, const TriangleOptions& options,
                                 const ProgressLike& progress) {
-  PlanarResult result = run(progress, [&](const Progress& p) {
-    TriangleOptions o = options;
-    o.progress = p;
-    return quadrangulate_polygons(input.input, o);
+  PlanarResult result = run(progress, options, [&](const auto& with) {
+    return quadrangulate_polygons(input.input, with);
   });
   PlanarQuads quads{std::move(result.quads),
                     std::make_shared<Made<ConstrainedResult>>(std::move(result.triangulation))};
@@ -258,10 +252,8 @@ Made<PlanarQuads>* planar_quads(const PlanarArgument& input, const TriangleOptio
 
 Made<TriangleResult>* triangle_quads(const TriangleMeshArgument& input,
                                      const TriangleOptions& options, const ProgressLike& progress) {
-  auto* const out = made(run(progress, [&](const Progress& p) {
-    TriangleOptions o = options;
-    o.progress = p;
-    return quadrangulate_triangles(input.mesh(), o);
+  auto* const out = made(run(progress, options, [&](const auto& with) {
+    return quadrangulate_triangles(input.mesh(), with);
   }));
   name_source_faces(input.source_face(), *out);
   carry_heights(input, *out);

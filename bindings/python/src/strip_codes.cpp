@@ -90,10 +90,7 @@ void bind_paths(nb::module_& m) {
         o.goal = goal.get("goal");
         o.effort = effort.get("effort");
         o.seed = seed;
-        return run(progress, [&](const Progress& p) {
-          o.progress = p;
-          return path_partition(graph, o);
-        });
+        return run(progress, o, [&](const auto& with) { return path_partition(graph, with); });
       },
       "graph"_a, nb::kw_only(), "goal"_a = "fewest-paths", "effort"_a = "standard", "seed"_a = 1,
       "progress"_a = nb::none(),
@@ -138,10 +135,7 @@ void bind_codes(nb::module_& m) {
         o.encoding = encoding.get("encoding");
         o.effort = effort.get("effort");
         o.seed = seed;
-        return run(progress, [&](const Progress& p) {
-          o.progress = p;
-          return encode_strips(triangles, o);
-        });
+        return run(progress, o, [&](const auto& with) { return encode_strips(triangles, with); });
       },
       "mesh"_a, nb::kw_only(), "encoding"_a = "restart", "effort"_a = "standard", "seed"_a = 1,
       "progress"_a = nb::none(),

@@ -99,9 +99,8 @@ Made<HamiltonianResult>* py_hamiltonian_cycle(const PointsLike& points,
   o.splitter = splitter.get("splitter");
   o.seed = seed;
   o.work_at_most = work_at_most;
-  auto* const out = made(run(progress, [&](const Progress& p) {
-    o.progress = p;
-    return hamiltonian_cycle_triangulation(input.xy(), o);
+  auto* const out = made(run(progress, o, [&](const auto& with) {
+    return hamiltonian_cycle_triangulation(input.xy(), with);
   }));
   carry_heights(input, *out);
   return out;
@@ -112,10 +111,8 @@ Made<SequentialResult>* py_sequential(const PointsLike& points, std::uint64_t wo
   const Points input(points);
   SequentialOptions o;
   o.work_at_most = work_at_most;
-  auto* const out = made(run(progress, [&](const Progress& p) {
-    o.progress = p;
-    return sequential_triangulation(input.xy(), o);
-  }));
+  auto* const out = made(run(
+      progress, o, [&](const auto& with) { return sequential_triangulation(input.xy(), with); }));
   if (!out->mesh.points.empty()) carry_heights(input, *out);
   return out;
 }
@@ -310,10 +307,8 @@ triangle 0; else None. Only the connectivity is looked at. Raises Error: bad-mes
         OrderSearchOptions o;
         o.kind = kind.get("kind");
         o.work_at_most = work_at_most;
-        return run(progress, [&](const Progress& p) {
-          o.progress = p;
-          return hamiltonian_order(triangles, o);
-        });
+        return run(progress, o,
+                   [&](const auto& with) { return hamiltonian_order(triangles, with); });
       },
       "mesh"_a, nb::kw_only(), "kind"_a = "path",
       "work_at_most"_a = OrderSearchOptions().work_at_most, "progress"_a = nb::none(),
