@@ -37,11 +37,10 @@ PlanarArgument::PlanarArgument(const PolygonsLike& polygons, const PointsLike& p
   }
   const auto places = [](const PointsLike& given, std::vector<Point>& out,
                          std::vector<double>* heights) {
-    if (given.is_none()) return true;
+    if (given.is_none()) return;
     const Points read(given);
     out.assign(read.xy().begin(), read.xy().end());
     if (heights != nullptr) heights->insert(heights->end(), read.z().begin(), read.z().end());
-    return read.z().size() == read.xy().size();
   };
   input.polygons = polygons_from(polygons, &z);
   std::size_t count = 0;

@@ -24,12 +24,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-template <typename Writer>
-void write(Writer writer) {
-  nb::gil_scoped_release release;
-  writer();
-}
-
 // ---- Attributes: a dict of arrays. ----
 
 nb::dict dict_of(const std::vector<io::Attribute>& attributes) {
@@ -80,7 +74,7 @@ for a file without points. docs/formats.md has the details.)");
       "write_points",
       [](const Path& path, const PointsLike& points) {
         const Points given(points);
-        write([&] { io::write_points(path.string(), given.xy(), given.z()); });
+        without_gil([&] { io::write_points(path.string(), given.xy(), given.z()); });
       },
       "path"_a, "points"_a,
       "One point a line, the fewest digits that read back the same; .csv and .tsv with a header; "
@@ -143,7 +137,7 @@ file, bad-option.)");
       "write_mesh",
       [](const Path& path, const MeshLike& mesh, const std::string& format) {
         const io::MeshFile file = file_from(MeshArgument(mesh));
-        write([&] { io::write_mesh(path.string(), file, format); });
+        without_gil([&] { io::write_mesh(path.string(), file, format); });
       },
       "path"_a, "mesh"_a, "format"_a = "",
       R"(Writes a mesh by the name: .obj .off .ply .vtu .msh .geojson .json, or as `format` says: one of these without the
@@ -225,7 +219,7 @@ too-few-points for a file without anything.)");
       "write_polygons",
       [](const Path& path, const PolygonsLike& polygons) {
         const std::vector<Polygon> given = polygons_from(polygons);
-        write([&] { io::write_polygons(path.string(), given); });
+        without_gil([&] { io::write_polygons(path.string(), given); });
       },
       "path"_a, "polygons"_a,
       "Polygons with their holes as GeoJSON (a Polygon each), whatever the ending; \"-\" is "
@@ -253,7 +247,7 @@ void bind_lines(nb::module_& m) {
           throw Error(ErrorCode::kBadOption, "values needs one number a line");
         }
         for (std::size_t i = 0; i < numbers.size(); ++i) given[i].value = numbers[i];
-        write([&] { io::write_polylines(path.string(), given, name); });
+        without_gil([&] { io::write_polylines(path.string(), given, name); });
       },
       "path"_a, "lines"_a, nb::kw_only(), "name"_a = "value", "values"_a = nb::none(),
       "closed"_a = false,
@@ -263,7 +257,7 @@ void bind_lines(nb::module_& m) {
   m.def(
       "write_text",
       [](const Path& path, const std::string& text) {
-        write([&] { io::write_text(path.string(), text); });
+        without_gil([&] { io::write_text(path.string(), text); });
       },
       "path"_a, "text"_a,
       "Writes a text file by temporary name and rename; \"-\" is standard output. Raises Error: "
@@ -282,7 +276,7 @@ void bind_strip_file(nb::module_& m) {
       [](const Path& path, const PointsLike& points, const StripCode& code) {
         const Points given(points);
         const F file{{given.xy().begin(), given.xy().end()}, given.z(), code};
-        write([&] { io::write_strips(path.string(), file); });
+        without_gil([&] { io::write_strips(path.string(), file); });
       },
       "path"_a, "points"_a, "code"_a,
       R"(Writes .strip, a text (docs/formats.md): the points bit for bit, the code as it is, one strip a line; "-" is
@@ -335,7 +329,7 @@ Drawing drawing_of(const MeshLike& mesh, int width, const Choice<io::ColourBy>& 
 void draw(const Path& path, const std::vector<const Drawing*>& drawings, int columns) {
   std::vector<io::Panel> panels;
   for (const Drawing* d : drawings) panels.push_back({&d->mesh, d->options});
-  write([&] { io::draw_sheet(path.string(), panels, columns); });
+  without_gil([&] { io::draw_sheet(path.string(), panels, columns); });
 }
 
 void bind_pictures(nb::module_& m) {

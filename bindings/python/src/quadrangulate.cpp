@@ -319,8 +319,6 @@ The input is that of constrained_delaunay, the options are those of quadrangulat
 Raises Error as constrained_delaunay and quadrangulate_triangles.)");
 }
 
-void bind_interpolation(nb::module_& m) { (void)m; }
-
 }  // namespace
 
 void bind_quadrangulate(nb::module_& m) {
@@ -328,7 +326,6 @@ void bind_quadrangulate(nb::module_& m) {
   bind_statistics(m);
   bind_points(m);
   bind_triangles(m);
-  bind_interpolation(m);
 }
 
 }  // namespace quadloom::python
