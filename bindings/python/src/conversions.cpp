@@ -51,9 +51,7 @@ PlanarArgument::PlanarArgument(const PolygonsLike& polygons, const PointsLike& p
   if (z.size() != count + input.points.size()) z.clear();
   places(holes, input.holes, nullptr);
   places(regions, input.regions, nullptr);
-  const std::vector<std::uint32_t> ends = indices_from(segments, "segments");
-  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-    input.segments.push_back({ends[i], ends[i + 1]});
+  input.segments = segments_from(segments, "segments");
 }
 
 void carry_heights(std::span<const double> z, std::span<const VertexId> input_to_vertex,

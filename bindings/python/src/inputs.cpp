@@ -121,6 +121,18 @@ std::vector<std::uint8_t> flags_from(const NumbersLike& given, const char* name)
   return numbers_from<std::uint8_t>(given, name, "flags");
 }
 
+std::vector<Segment> segments_from(const NumbersLike& given, const char* name) {
+  const std::vector<std::uint32_t> ends = indices_from(given, name);
+  if (ends.size() % 2 != 0) {
+    throw Error(ErrorCode::kBadOption, std::string(name) + " needs two numbers each, not " +
+                                           std::to_string(ends.size()) + " in all");
+  }
+  std::vector<Segment> out;
+  out.reserve(ends.size() / 2);
+  for (std::size_t i = 0; i < ends.size(); i += 2) out.push_back({ends[i], ends[i + 1]});
+  return out;
+}
+
 MeshArgument::MeshArgument(const nb::object& given, const nb::object& faces) : keep_(given) {
   const bool has_faces = faces.is_valid() && !faces.is_none();
   if (has_faces || !nb::isinstance<Mesh>(given)) {

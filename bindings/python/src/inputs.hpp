@@ -72,6 +72,8 @@ std::vector<double> doubles_from(const NumbersLike& given, const char* name);
 std::vector<std::uint32_t> indices_from(const NumbersLike& given, const char* name);
 std::vector<std::int32_t> weights_from(const NumbersLike& given);
 std::vector<std::uint8_t> flags_from(const NumbersLike& given, const char* name);
+/// Two numbers each; throws Error kBadOption also where one is left over.
+std::vector<Segment> segments_from(const NumbersLike& given, const char* name);
 
 /// A mesh: a quadloom.Mesh, or what quadloom._inputs.mesh makes one of. `faces`, if not None, are those over
 /// the points `given`.

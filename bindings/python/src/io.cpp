@@ -100,10 +100,8 @@ void bind_mesh_file(nb::module_& m) {
         io::MeshFile file = file_from(MeshArgument(mesh, faces));
         for (auto& a : attributes_from(vertex_data)) file.vertex_data.push_back(std::move(a));
         for (auto& a : attributes_from(face_data)) file.face_data.push_back(std::move(a));
-        const std::vector<std::uint32_t> ends = indices_from(edges, "edges");
-        for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
-          file.edges.push_back({ends[i], ends[i + 1]});
-        }
+        const std::vector<Segment> lines = segments_from(edges, "edges");
+        file.edges.insert(file.edges.end(), lines.begin(), lines.end());
         new (self) F(std::move(file));
       },
       "mesh"_a, "faces"_a = nb::none(), nb::kw_only(), "vertex_data"_a = nb::dict(),

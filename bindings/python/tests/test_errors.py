@@ -39,6 +39,8 @@ REFUSED = [
     (lambda: quadloom.sequential_triangulation([[object()]]), "bad-option", [], "real numbers"),
     (lambda: quadloom.quadrangulate_polygons(3), "bad-option", [], "a polygon must be"),
     (lambda: quadloom.constrained_delaunay(SQUARE, segments=[[0, 1]]), "index-out-of-range", [0, 0], None),
+    (lambda: quadloom.constrained_delaunay(points=SQUARE, segments=[0, 1, 2]), "bad-option", [], "two numbers each"),
+    (lambda: quadloom.MeshFile((SQUARE, [[0, 1, 2, 3]]), edges=[[0, 1, 2]]), "bad-option", [], "two numbers each"),
     (lambda: quadloom.generate_points("towns", 5), "bad-option", [], "there are"),
     (lambda: quadloom.convex_hull([[0, 0], [1, 0], [0, 0]]), "bad-option", [0, 2], "point 2 is point 0 again"),
     (lambda: quadloom.orient2d([0, 0], [1, 0], [NAN, 1]), "not-finite", [0], None),
