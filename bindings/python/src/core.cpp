@@ -9,6 +9,7 @@
 
 #include "bind.hpp"
 #include "choice.hpp"
+#include "conversions.hpp"
 #include "fields.hpp"
 #include "inputs.hpp"
 #include "parts.hpp"
@@ -122,12 +123,13 @@ void bind_triangle_mesh(nb::module_& m) {
       "__init__",
       [](Self* self, const MeshLike& mesh, const nb::object& triangles, const NumbersLike& region,
          const NumbersLike& keep) {
-        TriangleMesh copy = TriangleMeshArgument(mesh, triangles).mesh();
+        const TriangleMeshArgument given(mesh, triangles);
+        TriangleMesh copy = given.mesh();
         const std::size_t count = copy.mesh.triangle_count();
         if (!region.is_none())
           copy.region = checked(indices_from(region, "region"), count, "region");
         if (!keep.is_none()) copy.keep = checked(flags_from(keep, "keep"), 3 * count, "keep");
-        new (self) Self(std::move(copy));
+        carry_heights(given, *new (self) Self(std::move(copy)));
       },
       "mesh"_a, "triangles"_a = nb::none(), nb::kw_only(), "region"_a = nb::none(),
       "keep"_a = nb::none(),

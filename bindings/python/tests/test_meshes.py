@@ -138,6 +138,9 @@ def test_depths_are_carried_along(plate):
     assert np.array_equal(z, x + 2 * y)
     x, y, z = result.points[[s.vertex for s in result.steiner if s.kind == "inner"]].T
     assert len(x) > 0 and np.allclose(z, x + 2 * y)
+    kept = quadloom.TriangleMesh(points, plate.triangles)
+    assert np.array_equal(kept.points, points)
+    assert np.array_equal(quadloom.quadrangulate_triangles(kept, method="subdivide").points, result.points)
 
 
 def test_quads_and_triangles_mixed():
