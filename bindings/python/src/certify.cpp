@@ -10,6 +10,7 @@
 #include "choice.hpp"
 #include "fields.hpp"
 #include "inputs.hpp"
+#include "parts.hpp"
 #include "progress.hpp"
 
 namespace nb = nanobind;
@@ -100,6 +101,15 @@ void bind_quality(nb::module_& m) {
       .value("max_edge", &Quality::max_edge, "The longest edge.")
       .value("mean_edge", &Quality::mean_edge, "Their mean.")
       .done();
+}
+
+// Whether heights make a surface of the mesh, and are not data over the plane.
+bool is_surface(const Mesh& mesh, const PolygonMesh& faces) {
+  const auto* const file = dynamic_cast<const Made<io::MeshFile>*>(&mesh);
+  if (file != nullptr && file->z_is_data) return false;
+  const Parts parts = mesh.parts();
+  if (parts.faces == nullptr && !parts.z.empty()) return true;
+  return space_of(faces, mesh.z()) == Space::kSurface;
 }
 
 CertifyOptions certify_options(std::size_t corners, std::size_t triangles_allowed,
@@ -231,14 +241,15 @@ reflex corners no two have convex ones between them on both sides. O(n log n).)"
       [](const MeshLike& mesh, const nb::object& faces) {
         const MeshArgument given(mesh, faces);
         const PolygonMesh polygons = given.mesh().polygons();
-        const bool surface = !given.mesh().parts().z.empty();
         return without_gil([&] {
-          return surface ? measure_quality(polygons, given.mesh().z()) : measure_quality(polygons);
+          const Quality flat = measure_quality(polygons);  // first: space_of trusts the faces
+          return is_surface(given.mesh(), polygons) ? measure_quality(polygons, given.mesh().z())
+                                                    : flat;
         });
       },
       "mesh"_a, "faces"_a = nb::none(),
-      R"(Shape figures of a mesh, of a surface in space if it is one; heights beside a planar mesh are not looked at.
-Faces should be counter-clockwise. A mesh without faces has zeros everywhere.
+      R"(Shape figures of a mesh, of a surface in space if it is one (see space_of); heights over the plane are not
+looked at. Faces should be counter-clockwise. A mesh without faces has zeros everywhere.
 
 Raises Error: bad-mesh (a face of fewer than three corners), index-out-of-range, not-finite. Near-linear.)");
 }

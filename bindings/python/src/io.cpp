@@ -87,7 +87,11 @@ for a file without points. docs/formats.md has the details.)");
 // A mesh to write or draw, with its data, or without.
 io::MeshFile file_from(const MeshArgument& given) {
   if (const auto* file = dynamic_cast<const Made<io::MeshFile>*>(&given.mesh())) return *file;
-  return given.mesh().file();
+  io::MeshFile out = given.mesh().file();
+  const bool as_given = dynamic_cast<const Made<PolygonMesh>*>(&given.mesh()) != nullptr ||
+                        dynamic_cast<const Made<Triangulation>*>(&given.mesh()) != nullptr;
+  if (as_given) out.z_is_data = false;  // they may be a surface
+  return out;
 }
 
 void bind_mesh_file(nb::module_& m) {

@@ -128,6 +128,22 @@ def test_a_surface():
     assert quadloom.keep_sharp_edges(mesh, 30) == 6
     assert quadloom.space_of(points, triangles) == "surface"
     assert quadloom.measure_quality(result).quads == len(result.quads)
+    for given_as in ((points, triangles), quadloom.PolygonMesh(points, triangles), connected,
+                     quadloom.MeshFile(points, triangles), quadloom.Triangulation(points, triangles)):
+        quality = quadloom.measure_quality(given_as)
+        assert (quality.min_angle, quality.max_angle) == pytest.approx((45, 90))
+
+
+def test_heights_over_the_plane_are_not_measured(plate, source):
+    points = np.column_stack([plate.points, 100 * plate.points[:, 0]])
+    flat = quadloom.measure_quality(plate).min_angle
+    for given_as in ((points, plate.triangles), quadloom.MeshFile(points, plate.triangles),
+                     quadloom.TriangleMesh(points, plate.triangles), quadloom.delaunay(points)):
+        assert quadloom.measure_quality(given_as).min_angle == flat
+    harbour = quadloom.read_mesh(source / "examples/harbour/harbour.14")
+    plane = (harbour.points[:, :2], harbour.triangles)
+    assert harbour.z_is_data
+    assert quadloom.measure_quality(harbour).min_angle == quadloom.measure_quality(plane).min_angle
 
 
 def test_depths_are_carried_along(plate):
