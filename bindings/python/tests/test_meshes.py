@@ -77,6 +77,12 @@ def test_weights_of_your_own(plate):
     assert len(result.quads) == 2
     with pytest.raises(quadloom.Error):
         quadloom.quadrangulate_triangles(triangles, weight="given", halfedge_weight=weight[:-1])
+    three = quadloom.connect_triangles([[0, 0], [1, 0], [1, 1], [0, 1], [2, 0.5]], [[0, 1, 2], [0, 2, 3], [1, 4, 2]])
+    for weight, quad in (([[0, 1, 2], [2, 0, 0], [0, 0, 1]], {0, 1, 2, 3}),
+                         ([[0, 2, 1], [1, 0, 0], [0, 0, 2]], {0, 1, 2, 4})):
+        result = quadloom.quadrangulate_triangles(three, weight="given", halfedge_weight=weight, leftover="triangle",
+                                                  odd_boundary="triangle")
+        assert [set(q) for q in result.quads.tolist()] == [quad]
 
 
 def test_meshes_may_be_given_as(plate):

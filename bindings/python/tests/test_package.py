@@ -49,6 +49,8 @@ def test_everything_has_a_docstring():
         thing = getattr(quadloom, name)
         if callable(thing):
             assert thing.__doc__ and len(thing.__doc__) > 20, name
+        for _, doc, *_ in getattr(thing, "__nb_signature__", ()):  # __doc__ begins with the signatures
+            assert doc and len(doc) > 10, name
 
 
 def test_every_function_of_the_headers_is_here(source):

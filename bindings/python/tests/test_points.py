@@ -116,7 +116,6 @@ def test_heights_are_carried_along():
     flat = quadloom.quadrangulate_points(points, method="subdivide")
     full = quadloom.quadrangulate_points(np.column_stack([points, height]), method="subdivide")
     assert np.array_equal(flat.quads, full.quads)
-    x, y, z = full.points[full.is_steiner].T  # inside triangles and on edges
     inner = [s.vertex for s in full.steiner if s.kind == "inner"]
     x, y, z = full.points[inner].T
     assert np.allclose(z, 3 * x - y)
