@@ -21,6 +21,7 @@ ROOMS = {
     "generate": ["core", "kernel"],
     "io": ["core", "kernel", "dual", "quadrangulate", "convex", "strips", "certify"],
 }
+THREADS = "src/core/parallel.cpp"  # the one file that includes oneTBB
 LIBRARY = [room for room in ROOMS if room != "io"]  # needs the standard library and Boost's headers
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"^[a-z_0-9]+$")
@@ -41,9 +42,11 @@ def room_of_include(name):
     return room if room in ROOMS else None
 
 
-def fault_of(room, public, quote, name):
+def fault_of(file, room, public, quote, name):
     """What is wrong with one include in a file of the room, or None."""
     if quote == "<":
+        if name.startswith("tbb/"):
+            return None if file == THREADS else f"threads are {THREADS}'s"
         if room == "io" and not public or STANDARD.match(name):
             return None
         if not name.startswith("boost/"):
@@ -71,7 +74,7 @@ def check_rooms(root):
                 yield f"{path.relative_to(root)}: {room} is not a room"
             continue
         for number, line, quote, name in includes(path):
-            if fault := fault_of(room, public, quote, name):
+            if fault := fault_of(str(path.relative_to(root)), room, public, quote, name):
                 yield f"{path.relative_to(root)}:{number}: {line.strip()}  <- {fault}"
 
 
@@ -113,6 +116,7 @@ def self_test():
         "include/quadloom/quadloom.hpp": "\n".join(
             f'#include "quadloom/{room}.hpp"' for room in ["core", "kernel", "certify"]),
         "src/core/mesh.cpp": '#include "quadloom/core.hpp"',
+        "src/core/parallel.cpp": '#include "quadloom/core.hpp"\n#include <tbb/parallel_for.h>',
         "src/kernel/hull.cpp": '#include <boost/x.hpp>\n#include "core/random.hpp"\n#include "kernel/a.hpp"',
         "src/certify/certify.cpp": '#include "quadloom/kernel.hpp"',
         "src/io/obj.cpp": '#include <fmt/core.h>\n#include "quadloom/certify.hpp"',
@@ -125,6 +129,9 @@ def self_test():
         ("src/kernel/hull.cpp", '#include "a.hpp"', "not "),
         ("src/kernel/hull.cpp", "#include <fmt/core.h>", "Boost's headers alone"),
         ("src/kernel/hull.cpp", "#  include <gmpxx.h>", "Boost's headers alone"),
+        ("src/kernel/hull.cpp", "#include <tbb/parallel_for.h>", "threads are src/core/parallel.cpp's"),
+        ("src/core/parallel.hpp", "#include <tbb/parallel_for.h>", "threads are src/core/parallel.cpp's"),
+        ("src/io/obj.cpp", "#include <tbb/parallel_for.h>", "threads are src/core/parallel.cpp's"),
         ("src/kernel/hull.cpp", '#include "quadloom/io.hpp"', "kernel must not include io"),
         ("src/certify/certify.cpp", '#include "dual/graph.hpp"', "certify must not include dual"),
         ("src/attic/old.cpp", "", "attic is not a room"),

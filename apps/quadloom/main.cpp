@@ -3,8 +3,11 @@
 
 #include <cstdio>
 #include <exception>
+#include <optional>
 
 #include "exit_codes.hpp"
+#include "options.hpp"
+#include "quadloom/core.hpp"
 #include "quadloom/version.hpp"
 #include "verbs.hpp"
 
@@ -38,6 +41,9 @@ int run_command_line(int argc, char** argv) {
   app.set_version_flag("--version", std::string("quadloom ") + kVersion);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
+  app.fallthrough();  // --threads may follow the verb
+  std::size_t threads = 0;
+  add_threads(app, threads);
   Run run;
   for (const auto add :
        {add_quadrangulate, add_triangulate, add_check, add_quality, add_draw, add_generate,
@@ -51,6 +57,8 @@ int run_command_line(int argc, char** argv) {
     fmt::print(stderr, "quadloom: {}; see quadloom --help\n", sentence(e, argc, argv));
     return kUsage;
   }
+  std::optional<ThreadLimit> limit;
+  if (threads > 0) limit.emplace(threads);
   return run();
 }
 

@@ -130,6 +130,12 @@ void add_making(CLI::App& verb, PointOptions& options) {
   add_whole(verb, "--seed", options.seed, 0, kNoLimit, "Seed of random choices");
 }
 
+void add_threads(CLI::App& app, std::size_t& threads) {
+  add_whole(app, "--threads", threads, 1, kNoLimit,
+            "Work on at most so many threads, before or after VERB; results are the same")
+      ->default_str("all cores");
+}
+
 void add_kind(CLI::App& verb, InputKind& kind) {
   add_choice(verb, "--input", kind, kInputKinds,
              "What the file holds, where its name (or what is in a GeoJSON) should not decide");

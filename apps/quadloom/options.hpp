@@ -44,6 +44,9 @@ inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::ma
 CLI::Option* add_number(CLI::App& verb, const std::string& flag, double& value, double least,
                         double most, const std::string& help);
 
+/// The most threads to work on, 0 if not said: --threads, for every verb.
+void add_threads(CLI::App& app, std::size_t& threads);
+
 /// What the input holds: --input.
 void add_kind(CLI::App& verb, InputKind& kind);
 CLI::Option* add_odd_boundary(CLI::App& verb, OddBoundary& odd_boundary);

@@ -1,9 +1,10 @@
-// The types that every room shares: points, indices, meshes, errors, progress.
+// What every room shares: points, indices, meshes, errors, progress, threads.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -142,5 +143,20 @@ using Progress = std::function<bool(std::string_view stage, double done)>;
 
 /// Reports to an optional callback; throws Error kCancelled when it asks to stop.
 void report_progress(const Progress& progress, std::string_view stage, double done);
+
+/// While it lives, the library works on at most so many threads in all of the process; of several
+/// limits the least holds. Without one it takes all cores. Results do not depend on it. Throws Error
+/// kBadOption for 0. A library built without threads takes one whatever the limit.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(std::size_t threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
 
 }  // namespace quadloom

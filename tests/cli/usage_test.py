@@ -20,6 +20,15 @@ class Usage(CommandLine):
                 text = self.succeeds(verb, "--help").stdout
                 self.assertIn(f"  quadloom {verb} ", text)
 
+    def test_threads(self):
+        self.assertIn("--threads", self.succeeds("--help").stdout)
+        made = ["generate", "uniform", "-n", "9", "-o", "-"]
+        points = self.succeeds(*made).stdout
+        self.assertEqual(self.succeeds("--threads", "1", *made).stdout, points)
+        self.assertEqual(self.succeeds(*made, "--threads", "3").stdout, points)
+        for word in ["0", "-1", "two"]:
+            self.refuses(2, ["--threads", word], *made, f"--threads={word}")
+
     def test_no_verb(self):
         self.refuses(2, ["subcommand"])
 

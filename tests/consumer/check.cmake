@@ -14,8 +14,9 @@ if(MODE STREQUAL "installed")
   list(APPEND options -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 else()
   list(APPEND options -DCONSUMER_EMBEDS=${SOURCE})
-  # What the core library must do without.
-  foreach(package fmt nlohmann_json pugixml ZLIB PkgConfig CLI11 GTest)
+  # What the core library can do without.
+  list(APPEND options -DQUADLOOM_THREADS=OFF)
+  foreach(package TBB fmt nlohmann_json pugixml ZLIB PkgConfig CLI11 GTest)
     list(APPEND options -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
   endforeach()
 endif()

@@ -1,0 +1,47 @@
+#include "core/parallel.hpp"
+
+#include "quadloom/core.hpp"
+
+#ifdef QUADLOOM_THREADS
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#endif
+
+namespace quadloom {
+
+#ifdef QUADLOOM_THREADS
+
+// One task a thread has not begun can be taken by another: tasks are long, so none are put together.
+void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& task) {
+  if (count == 1) return task(0);
+  tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner());
+}
+
+struct ThreadLimit::Control {
+  explicit Control(std::size_t threads)
+      : limit(tbb::global_control::max_allowed_parallelism, threads) {}
+  tbb::global_control limit;
+};
+
+#else
+
+void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = 0; i < count; ++i) task(i);
+}
+
+struct ThreadLimit::Control {
+  explicit Control(std::size_t) {}
+};
+
+#endif
+
+ThreadLimit::ThreadLimit(std::size_t threads) {
+  if (threads == 0) throw Error(ErrorCode::kBadOption, "there must be at least one thread, not 0");
+  control_ = std::make_unique<Control>(threads);
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace quadloom

@@ -1,0 +1,32 @@
+// Work on several threads. Results must not depend on how many there are: blocks have a size of their
+// own, each writes what is its alone, and what is summed up is summed in the order of the blocks.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+
+namespace quadloom {
+
+/// Calls task(0) to task(count - 1), each once, on this thread and others, and returns when all are
+/// done. If one throws, those not begun are left out and the exception comes through; of several, any
+/// one does. A task must neither wait for another one nor report progress.
+void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& task);
+
+/// Calls work(begin, end) for [0, block), [block, 2 block), ... up to `count`. One block is done at
+/// once, on this thread.
+template <typename Work>
+void parallel_for_blocks(std::size_t count, std::size_t block, const Work& work) {
+  parallel_tasks(count / block + (count % block != 0 ? 1 : 0),
+                 [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); });
+}
+
+/// Calls each of them.
+template <typename... Works>
+void parallel_invoke(const Works&... works) {
+  const std::array<std::function<void()>, sizeof...(Works)> all = {std::cref(works)...};
+  parallel_tasks(all.size(), [&](std::size_t i) { all[i](); });
+}
+
+}  // namespace quadloom
