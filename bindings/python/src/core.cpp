@@ -1,9 +1,10 @@
-// include/quadloom/core.hpp: meshes, error codes.
+// include/quadloom/core.hpp: meshes, error codes, threads.
 #include "quadloom/core.hpp"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <memory>
 #include <new>
 #include <string>
 
@@ -158,6 +159,35 @@ void bind_triangle_mesh(nb::module_& m) {
       "Per triangle: the halfedge inside its quad, where the source had a quad, else NONE.");
 }
 
+// ---- Threads. ----
+
+struct LimitInWith {
+  std::size_t threads = 0;
+  std::unique_ptr<ThreadLimit> limit;
+};
+
+void bind_thread_limit(nb::module_& m) {
+  nb::class_<LimitInWith>(
+      m, "thread_limit",
+      "``with quadloom.thread_limit(2): ...``: meanwhile the library works on at "
+      "most so many threads in all of the process; of several limits the least "
+      "holds. Without one it takes all cores. Results do not depend on it.")
+      .def(
+          "__init__",
+          [](LimitInWith* self, std::size_t threads) {
+            ThreadLimit valid(threads);
+            new (self) LimitInWith{threads, nullptr};
+          },
+          "threads"_a, "At least 1.")
+      .def(
+          "__enter__",
+          [](LimitInWith& self) { self.limit = std::make_unique<ThreadLimit>(self.threads); },
+          "The limit begins.")
+      .def(
+          "__exit__", [](LimitInWith& self, const nb::args&) { self.limit.reset(); },
+          "The limit ends.");
+}
+
 }  // namespace
 
 void bind_core(nb::module_& m) {
@@ -169,6 +199,7 @@ void bind_core(nb::module_& m) {
   bind_triangle_mesh(m);
   nb::class_<Made<Quadrangulation>, Mesh>(
       m, "Quadrangulation", "A mesh of quadrilaterals, and of triangles that were left over.");
+  bind_thread_limit(m);
   m.def(
       "to_polygon_mesh",
       [](const MeshLike& mesh, const nb::object& faces) {

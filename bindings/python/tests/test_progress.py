@@ -1,4 +1,5 @@
 """Long work: reports, stopping, Ctrl-C, threads."""
+import os
 import subprocess
 import sys
 import threading
@@ -116,6 +117,38 @@ def test_other_threads_run_meanwhile():
         sys.setswitchinterval(switch)
     thread.join()
     assert in_between[0] > 10
+
+
+def test_a_limit_of_threads(points):
+    """Works inside of another one and after an exception, and the results are the same."""
+    free = quadloom.delaunay(points)
+    with quadloom.thread_limit(4), quadloom.thread_limit(threads=1):
+        assert (quadloom.delaunay(points).triangles == free.triangles).all()
+    limit = quadloom.thread_limit(1)
+    with pytest.raises(ZeroDivisionError), limit:
+        1 / 0
+    with limit:
+        assert (quadloom.delaunay(points).triangles == free.triangles).all()
+    with pytest.raises(quadloom.Error, match="at least one thread"):
+        quadloom.thread_limit(0)
+
+
+FORKED = """
+import os, quadloom
+points = quadloom.generate_points("uniform", 200_000)
+here = quadloom.delaunay(points).triangles
+child = os.fork()
+if child == 0:
+    os._exit(0 if (quadloom.delaunay(points).triangles == here).all() else 3)
+print(os.waitpid(child, 0)[1])
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_forked_process_works_on():
+    """As multiprocessing starts processes, by default on Linux: without the threads of its parent."""
+    done = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "0\n", done.stderr
 
 
 def test_two_threads_give_what_one_gives(points):
