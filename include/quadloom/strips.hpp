@@ -24,7 +24,7 @@ enum class Splitter {
 };
 
 struct HamiltonianOptions {
-  Splitter splitter = Splitter::kRandom;  // about two thirds of the time of the other
+  Splitter splitter = Splitter::kRandom;  // about a third of the time of the other
   std::uint64_t seed = 1;                 // same seed, same triangles
   std::size_t work_at_most = 10'000'000;  // triangles tried where a search is needed, of up to 16
                                           // points; a second or two

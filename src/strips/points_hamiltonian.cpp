@@ -6,9 +6,10 @@
 //                       points are in the way, more than one (hamiltonian_start.hpp)
 //   3. split_wedges     the points in each triangle, one by one, by random or balanced splitters
 //                       (wedge_splitting.hpp)
-//   4. by_search        no start found, and few points: an exhaustive search, which finds a cycle or
+//   4. cycle_twins      which edges are the same (cycle_twins.hpp)
+//   5. by_search        no start found, and few points: an exhaustive search, which finds a cycle or
 //                       proves that there is none (hamiltonian_search.hpp)
-//   5. path_instead     no point inside, or no cycle found: the serpentine triangulation (Bose and
+//   6. path_instead     no point inside, or no cycle found: the serpentine triangulation (Bose and
 //                       Toussaint), which is a path
 //
 // The paper takes points in general position. With three of them on a line a point can fall on an
@@ -27,7 +28,7 @@
 // collinear points is whether there is a start. There is none in hull-only sets (the dual graph is a
 // tree) and in sets like the pinwheel of hamiltonian_start.cpp, which have no Hamiltonian cycle
 // triangulation at all. No start is found, although there is a cycle, in one of ten thousand random
-// sets of seven to nine points of small grids; up to 16 points the search of step 4 tells the two apart.
+// sets of seven to nine points of small grids; up to 16 points the search of step 5 tells the two apart.
 //
 // Cost: see the steps; O(n log n) expected, or in the worst case, for points in general position.
 #include <utility>
@@ -36,6 +37,7 @@
 #include "quadloom/strips.hpp"
 #include "quadrangulate/point_input.hpp"
 #include "quadrangulate/serpentine.hpp"
+#include "strips/cycle_twins.hpp"
 #include "strips/hamiltonian_search.hpp"
 #include "strips/hamiltonian_start.hpp"
 #include "strips/match_twins.hpp"
@@ -75,6 +77,8 @@ bool by_splitting(std::span<const Point> points, Parts& parts, const Hamiltonian
   result.mesh.tri_vertex =
       strips::split_wedges(start->wedges, parts.inner, 2 * points.size() - 2 - parts.hull.size(),
                            options, random, splitting);
+  result.mesh.twin =
+      strips::cycle_twins(result.mesh.tri_vertex, parts.hull[0].vertex, parts.hull[1].vertex);
   result.statistics.centres = start->centres;
   result.statistics.levels = splitting.levels;
   result.statistics.locations = splitting.locations;
@@ -88,6 +92,7 @@ void by_search(std::span<const Point> points, const HamiltonianOptions& options,
   strips::CycleSearch search = strips::search_cycle(points, options.work_at_most);
   result.cycle = search.answer;
   result.mesh.tri_vertex = std::move(search.corners);
+  result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, points.size());
 }
 
 Triangulation path_instead(std::span<const Point> points) {
@@ -112,7 +117,6 @@ HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
   }
   if (result.cycle == Answer::kYes) {
     result.order = OrderKind::kCycle;
-    result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, distinct.points.size());
     result.mesh.points = std::move(distinct.points);
   } else {
     result.order = OrderKind::kPath;

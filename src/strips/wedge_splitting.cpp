@@ -12,7 +12,8 @@
 //                       are on either side of a p, and at most 2/3 in e f p, where none of the others of
 //                       the middle third is. The middle third is selected in linear time in the worst
 //                       case (medians of medians, middle_third.hpp).
-//   2. split            as above, if no point is on e p and p f
+//   2. split            as above, if no point is on e p and p f. The cells of the points are found without a
+//                       branch (CellFilter: half the time of asking one sign after the other)
 //   3. split_by_chain   otherwise: all points b_1, b_2, ... on the ray from e (or f) through p at once.
 //                       The cycle winds around the ray and crosses every piece of it:
 //
@@ -34,6 +35,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "kernel/predicates_inline.hpp"
 #include "quadloom/kernel.hpp"
@@ -83,6 +85,44 @@ class Splitting {
   };
   enum Cell : std::uint32_t { kFrom, kMiddle, kTo, kOnPivot, kOnFrom, kOnTo, kCells };
 
+  /// The cell of most points without a branch: the three signs that tell cells apart, if all are certain.
+  /// All differences are at most the sides of the triangle's box, so one bound does for all points: it is
+  /// that of kernel::proven_difference for the largest products.
+  class CellFilter {
+   public:
+    CellFilter(const Wedge& w, int s, Point p)
+        : p_(p),
+          flip_(s > 0 ? 0U : 7U),
+          pivot_(to(w.pivot.at)),
+          from_(to(w.from.at)),
+          to_(to(w.to.at)) {
+      const auto [left, right] = std::minmax({w.pivot.at.x, w.from.at.x, w.to.at.x});
+      const auto [low, high] = std::minmax({w.pivot.at.y, w.from.at.y, w.to.at.y});
+      bound_ =
+          kernel::kCrossError * (2 * ((right - left) * (high - low))) + kernel::kCrossUnderflow;
+    }
+
+    /// kCells if not certain.
+    std::uint32_t cell(Point q) const {
+      constexpr std::array<std::uint32_t, 8> kOfSigns = {kMiddle, kTo,   kMiddle, kTo,
+                                                         kFrom,   kFrom, kMiddle, kMiddle};
+      const Point d = to(q);
+      const double pivot = side(pivot_, d), from = side(from_, d), to = side(to_, d);
+      const double least = std::min({std::fabs(pivot), std::fabs(from), std::fabs(to)});
+      const unsigned signs = (pivot > 0 ? 4U : 0U) | (from > 0 ? 2U : 0U) | (to > 0 ? 1U : 0U);
+      return least > bound_ ? kOfSigns[signs ^ flip_] : static_cast<std::uint32_t>(kCells);
+    }
+
+   private:
+    Point to(Point q) const { return {q.x - p_.x, q.y - p_.y}; }
+    static double side(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+
+    Point p_;
+    unsigned flip_;
+    Point pivot_, from_, to_;
+    double bound_;
+  };
+
   std::span<Place> inside(const Wedge& w) {
     return {places_.data() + w.inside.begin, places_.data() + w.inside.end};
   }
@@ -128,19 +168,27 @@ class Splitting {
     return s * orient(p, w.from.at, q) < 0 ? kOnPivot : kMiddle;
   }
 
+  /// cell_of for all places of `rest`, and how many there are in each cell.
+  void locate(const Wedge& w, int s, Point p, Range rest) {
+    cell_.resize(rest.size());
+    count_ = {};
+    const CellFilter filter(w, s, p);
+    for (std::uint32_t i = 0; i < rest.size(); ++i) {
+      const Point q = places_[rest.begin + i].at;
+      std::uint32_t cell = filter.cell(q);
+      if (cell == kCells) cell = cell_of(w, s, p, q);
+      cell_[i] = cell;
+      ++count_[cell];
+    }
+    statistics_.locations += rest.size();
+  }
+
   /// By the point at the front; false, and nothing done, if points are on the edges to be crossed.
   bool split(const Wedge& w) {
     const Place p = places_[w.inside.begin];
     const Range rest = {w.inside.begin + 1, w.inside.end};
-    const int s = turn(w);
-    cell_.resize(rest.size());
-    blocked_ = {};
-    for (std::uint32_t i = 0; i < rest.size(); ++i) {
-      cell_[i] = cell_of(w, s, p.at, places_[rest.begin + i].at);
-      if (cell_[i] == kOnFrom) blocked_[0] = true;
-      if (cell_[i] == kOnTo) blocked_[1] = true;
-    }
-    statistics_.locations += rest.size();
+    locate(w, turn(w), p.at, rest);
+    blocked_ = {count_[kOnFrom] != 0, count_[kOnTo] != 0};
     if (blocked_[0] || blocked_[1]) return false;
     sort_into_cells(places_, rest, cell_, kCells, begin_, buffer_);
     sort_along(places_, range(kOnPivot));
@@ -290,6 +338,7 @@ class Splitting {
   std::vector<Item> todo_;  // the next in the cycle's order on top
   std::uint32_t level_ = 0;
   std::vector<std::uint32_t> cell_, begin_;
+  std::array<std::uint32_t, kCells> count_ = {};
   std::array<bool, 2> blocked_ = {};  // towards `from`, towards `to`
   std::vector<Place> buffer_, chain_;
   std::vector<Wedge> chain_cells_;  // in the order of the cycle
