@@ -13,9 +13,16 @@
 //                        polygons and meshes (check_outline), the given edges, winding once
 //   8. check_steiner     how many vertices are no input points, and whether any is on the boundary
 //
-// Each step may rely on those before it. Unused vertices are not looked at. Cost: linear in the
-// size of the mesh and the input (expected, for the hash table of 5 and 6), but for sorting the
-// edges at a vertex and k log k for faces of many corners.
+// Each step may rely on those before it. Unused vertices are not looked at.
+//
+// If the boundary must be convex, check_convex_tiling comes instead of 4, 5 and 7: the sides of all faces
+// that are left when opposite ones cancel (boundary_chain) must make that cycle. This proves that the
+// faces tile the region once, and 4 and 5 follow. It takes half of the time; only if it fails the steps
+// are gone through one by one, to find out what is wrong.
+//
+// Cost: linear in the size of the mesh and the input (expected, for the hash tables), but for sorting the
+// edges at a vertex and k log k for faces of many corners. The passes over the faces run in blocks on
+// several threads, which count for themselves; the first fault is that of the first block that has one.
 
 #include "quadloom/certify.hpp"
 
@@ -23,8 +30,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "certify/blocks.hpp"
 #include "certify/boundary.hpp"
 #include "certify/corners.hpp"
+#include "certify/edge_sums.hpp"
 #include "certify/edges.hpp"
 #include "certify/outline.hpp"
 #include "certify/places.hpp"
@@ -52,8 +61,11 @@ class Judge {
       : mesh_(mesh), input_(input), options_(options), outline_(outline), places_(mesh.points) {}
 
   Certificate judge() {
-    (void)(check_corners() && check_finite() && check_shapes() && check_edges() &&
-           check_distinct() && check_input() && check_boundary() && check_steiner());
+    (void)(check_corners() && check_finite() && check_shapes() &&
+           (check_convex_tiling()
+                ? check_input() && keep_boundary()
+                : check_edges() && check_distinct() && check_input() && check_boundary()) &&
+           check_steiner());
     return std::move(out_);
   }
 
@@ -64,6 +76,7 @@ class Judge {
   bool check_corners();
   bool check_finite();
   bool check_shapes();
+  bool check_convex_tiling();
   bool check_edges();
   bool check_distinct();
   bool check_input();
@@ -71,7 +84,10 @@ class Judge {
   bool check_outline();
   bool check_steiner();
 
-  void count_turns(std::size_t corners, int smallest_turn);
+  bool judge_shapes(std::size_t first, std::size_t last, Certificate& out) const;
+  void count_turns(std::size_t corners, int smallest_turn, Certificate& out) const;
+  VertexId vertex_at(Point p);
+  bool keep_boundary();
 
   const PolygonMesh& mesh_;
   std::span<const Point> input_;
@@ -108,18 +124,19 @@ bool Judge::check_finite() {
   return true;
 }
 
-void Judge::count_turns(std::size_t corners, int smallest_turn) {
+void Judge::count_turns(std::size_t corners, int smallest_turn, Certificate& out) const {
   if (corners != options_.corners) return;
-  ++(smallest_turn > 0    ? out_.strictly_convex
-     : smallest_turn == 0 ? out_.flat_cornered
-                          : out_.non_convex);
+  ++(smallest_turn > 0    ? out.strictly_convex
+     : smallest_turn == 0 ? out.flat_cornered
+                          : out.non_convex);
 }
 
-bool Judge::check_shapes() {
+bool Judge::judge_shapes(std::size_t first, std::size_t last, Certificate& out) const {
   std::vector<Point> corners;
-  for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-    corners.clear();
-    for (const VertexId v : mesh_.face(f)) corners.push_back(mesh_.points[v]);
+  for (std::size_t f = first; f < last; ++f) {
+    const auto face = mesh_.face(f);
+    corners.resize(face.size());
+    for (std::size_t i = 0; i < face.size(); ++i) corners[i] = mesh_.points[face[i]];
     const auto verdict = judge_polygon(corners);
     if (!verdict.simple) {
       std::string places;
@@ -128,16 +145,16 @@ bool Judge::check_shapes() {
         places += point_text(p);
       }
       return certify::fail(
-          out_, Fault::kNotSimple,
+          out, Fault::kNotSimple,
           face_text(mesh_, f) +
               " is not a simple counter-clockwise polygon of positive area:" + places,
           {f});
     }
-    count_turns(corners.size(), verdict.smallest_turn);
+    count_turns(corners.size(), verdict.smallest_turn, out);
     if (options_.strictly_convex && corners.size() == options_.corners &&
         verdict.smallest_turn <= 0) {
       return certify::fail(
-          out_, Fault::kNotStrictlyConvex,
+          out, Fault::kNotStrictlyConvex,
           face_text(mesh_, f) + (verdict.smallest_turn == 0
                                      ? " is not strictly convex, it has a flat corner"
                                      : " is not convex"),
@@ -145,6 +162,30 @@ bool Judge::check_shapes() {
     }
   }
   return true;
+}
+
+bool Judge::check_shapes() {
+  auto parts = certify::judge_in_blocks(
+      mesh_.face_count(), [&](std::size_t first, std::size_t last, Certificate& part) {
+        judge_shapes(first, last, part);
+      });
+  for (Certificate& part : parts) {
+    out_.strictly_convex += part.strictly_convex;
+    out_.flat_cornered += part.flat_cornered;
+    out_.non_convex += part.non_convex;
+    if (!part.ok()) {
+      return certify::fail(out_, part.fault, std::move(part.sentence), std::move(part.culprits));
+    }
+  }
+  return true;
+}
+
+bool Judge::check_convex_tiling() {
+  if (outline_ != nullptr) return false;
+  certify::require_few_vertices(mesh_);
+  auto report = certify::judge_boundary(mesh_, certify::boundary_chain(mesh_));
+  boundary_ = std::move(report.cycle);
+  return report.sentence.empty();
 }
 
 bool Judge::check_edges() {
@@ -173,6 +214,16 @@ bool Judge::check_distinct() {
   return true;
 }
 
+VertexId Judge::vertex_at(Point p) {
+  if (places_.empty()) {
+    places_.reserve(used_);
+    for (VertexId v = 0; v < role_.size(); ++v) {
+      if (role_[v] != Role::kUnused) places_.insert(v);
+    }
+  }
+  return places_.find(p);
+}
+
 bool Judge::check_input() {
   if (input_.empty()) {
     std::ranges::replace(role_, Role::kSteiner, Role::kInput);
@@ -181,8 +232,13 @@ bool Judge::check_input() {
   }
   std::size_t missing = 0;
   std::vector<std::size_t> culprits;
+  // Most makers keep the order of the points, so that the next vertex is looked at first: the table is
+  // then hardly asked, and not even made if no point is there twice.
+  VertexId next = 0;
   for (std::size_t i = 0; i < input_.size(); ++i) {
-    const VertexId v = places_.find(input_[i]);
+    const bool is_next =
+        next < role_.size() && role_[next] != Role::kUnused && mesh_.points[next] == input_[i];
+    const VertexId v = is_next ? next++ : vertex_at(input_[i]);
     if (v == kNone) {
       if (missing++ < kMostCulprits) culprits.push_back(i);
     } else {
@@ -223,6 +279,10 @@ bool Judge::check_boundary() {
                          std::move(report.culprits));
   }
   boundary_ = std::move(report.cycle);
+  return keep_boundary();
+}
+
+bool Judge::keep_boundary() {
   out_.boundary = boundary_.size();
   return true;
 }

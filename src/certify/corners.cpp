@@ -1,10 +1,12 @@
 #include "certify/corners.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "certify/blocks.hpp"
 #include "certify/layout.hpp"
 #include "certify/wording.hpp"
 
@@ -41,6 +43,44 @@ std::vector<std::size_t> faces_of(const PolygonMesh& mesh, VertexId edge_from, V
   return faces;
 }
 
+/// Few corners are compared by pairs: a quad's six comparisons cost less than sorting it.
+bool names_twice(std::span<const VertexId> corners) {
+  constexpr std::size_t few = 8;
+  if (corners.size() <= few) {
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (corners[i] == corners[j]) return true;
+      }
+    }
+    return false;
+  }
+  std::vector<VertexId> sorted(corners.begin(), corners.end());
+  std::ranges::sort(sorted);
+  return std::ranges::adjacent_find(sorted) != sorted.end();
+}
+
+/// Faces first to last - 1. Blocks of them may mark the same vertices at once.
+bool judge_faces(const PolygonMesh& mesh, std::size_t first, std::size_t last,
+                 const CertifyOptions& options, Certificate& out, std::vector<std::uint8_t>& used) {
+  for (std::size_t f = first; f < last; ++f) {
+    ++out.faces;
+    if (!judge_count(mesh, f, options, out)) return false;
+    for (const VertexId v : mesh.face(f)) {
+      if (v >= mesh.points.size()) {
+        return fail(out, Fault::kIndexOutOfRange,
+                    face_text(mesh, f) + " names a vertex that is not there (" +
+                        std::to_string(mesh.points.size()) + " vertices)",
+                    {f});
+      }
+      std::atomic_ref(used[v]).store(1, std::memory_order_relaxed);
+    }
+    if (names_twice(mesh.face(f))) {
+      return fail(out, Fault::kRepeatedCorner, face_text(mesh, f) + " names a vertex twice", {f});
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool judge_corners(const PolygonMesh& mesh, const CertifyOptions& options, Certificate& out,
@@ -51,24 +91,20 @@ bool judge_corners(const PolygonMesh& mesh, const CertifyOptions& options, Certi
   }
   if (mesh.face_count() == 0) return fail(out, Fault::kNoFaces, "the mesh has no faces", {});
   used.assign(mesh.points.size(), 0);
-  std::vector<VertexId> sorted;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    ++out.faces;
-    if (!judge_count(mesh, f, options, out)) return false;
-    for (const VertexId v : mesh.face(f)) {
-      if (v >= mesh.points.size()) {
-        return fail(out, Fault::kIndexOutOfRange,
-                    face_text(mesh, f) + " names a vertex that is not there (" +
-                        std::to_string(mesh.points.size()) + " vertices)",
-                    {f});
-      }
-      used[v] = 1;
+  const auto parts = judge_in_blocks(mesh.face_count(),
+                                     [&](std::size_t first, std::size_t last, Certificate& part) {
+                                       judge_faces(mesh, first, last, options, part, used);
+                                     });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool triangles_fit = out.triangles + parts[i].triangles <= options.triangles_allowed;
+    if (!parts[i].ok() ||
+        (parts[i].triangles > 0 && !triangles_fit)) {  // again, to count up to the fault
+      const std::size_t first = i * kFacesOfBlock;
+      return judge_faces(mesh, first, std::min(first + kFacesOfBlock, mesh.face_count()), options,
+                         out, used);
     }
-    sorted.assign(mesh.face(f).begin(), mesh.face(f).end());
-    std::ranges::sort(sorted);
-    if (std::ranges::adjacent_find(sorted) != sorted.end()) {
-      return fail(out, Fault::kRepeatedCorner, face_text(mesh, f) + " names a vertex twice", {f});
-    }
+    out.faces += parts[i].faces;
+    out.triangles += parts[i].triangles;
   }
   return true;
 }

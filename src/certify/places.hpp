@@ -19,6 +19,9 @@ class Places {
   /// Empties the table and makes room for `count` points; call it before anything else.
   void reserve(std::size_t count) { slot_.assign(std::bit_ceil(2 * count + 2), kNone); }
 
+  /// Whether it was never given room.
+  bool empty() const { return slot_.empty(); }
+
   /// The vertex that is already at the place of v, or v itself, which is then put there.
   VertexId insert(VertexId v) {
     VertexId& slot = slot_[seek(points_[v])];
