@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "convex_facts.hpp"
@@ -120,24 +119,6 @@ CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
   return promise;
 }
 
-// Every inner edge is in two faces, every boundary edge in one.
-double edge_length(const PolygonMesh& mesh) {
-  const auto length = [&](VertexId a, VertexId b) {
-    return std::hypot(mesh.points[b].x - mesh.points[a].x, mesh.points[b].y - mesh.points[a].y);
-  };
-  double twice = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      twice += length(face[i], face[(i + 1) % face.size()]);
-    }
-  }
-  const std::vector<VertexId> hull = convex_hull(mesh.points);
-  for (std::size_t i = 0; i < hull.size(); ++i)
-    twice += length(hull[i], hull[(i + 1) % hull.size()]);
-  return twice / 2;
-}
-
 void add_attributes(MadeMesh& made) {
   const PolygonMesh& mesh = made.file.mesh;
   io::Attribute added{"added", std::vector<double>(mesh.points.size(), 0)};
@@ -167,7 +148,7 @@ MadeMesh make_mesh(const io::PointTable& table, const PointRun& run) {
   made.certify_seconds = timer.seconds();
 
   made.quality = measure_quality(made.file.mesh);
-  made.total_edge_length = edge_length(made.file.mesh);
+  made.total_edge_length = made.quality.mean_edge * static_cast<double>(made.quality.edges);
   if (!table.z.empty()) {
     CarriedValues elevation =
         carry_values(table.z, source.input_to_vertex, made.file.mesh.points, made.steiner);

@@ -136,6 +136,7 @@ struct Quality {
   std::array<std::size_t, 10> shape_histogram = {};
   double max_aspect = 0;  ///< longest over shortest edge of a quad
   double median_aspect = 0;
+  std::size_t edges = 0;
   double min_edge = 0;
   double max_edge = 0;
   double mean_edge = 0;

@@ -1,19 +1,23 @@
-// Shape figures: one pass over the faces. Which quads are convex is decided exactly; angles,
+// Shape figures: one pass over the faces, in blocks on several threads, whose figures are put together in
+// order: sums are the same for any number of threads. Which quads are convex is decided exactly; angles,
 // lengths and shapes are plain floating point, with differences halved where they would overflow.
 // On a surface angles and lengths are those in space; which corners turn in and out is seen in the
 // coordinate plane that the face is nearest to.
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
-#include "certify/edges.hpp"
+#include "certify/edge_sums.hpp"
 #include "certify/layout.hpp"
 #include "certify/polygon.hpp"
 #include "certify/space.hpp"
 #include "certify/wording.hpp"
+#include "core/parallel.hpp"
 #include "quadloom/certify.hpp"
 #include "quadloom/kernel.hpp"
 
@@ -22,9 +26,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// b - a, scaled so that its larger component is about 1.
+/// Products of two such numbers neither overflow nor underflow.
+bool is_tame(double size) { return size > 1e-70 && size < 1e70; }
+
+/// hypot, which takes twice as long for being right in the last place and at the ends of the range.
+double length_of(double x, double y) {
+  return is_tame(std::max(std::fabs(x), std::fabs(y))) ? std::sqrt(x * x + y * y)
+                                                       : std::hypot(x, y);
+}
+
+/// b - a; scaled, so that its larger component is about 1, unless it is tame.
 Point direction(Point a, Point b) {
   Point d = {b.x - a.x, b.y - a.y};
+  // Most need no scaling, which would cost as much as the arc tangent.
+  if (is_tame(std::max(std::fabs(d.x), std::fabs(d.y)))) return d;
   if (!std::isfinite(d.x) || !std::isfinite(d.y)) d = {b.x / 2 - a.x / 2, b.y / 2 - a.y / 2};
   const double size = std::max(std::fabs(d.x), std::fabs(d.y));
   if (size == 0) return d;
@@ -46,68 +61,61 @@ void count_in(std::array<std::size_t, N>& bins, double share) {
   ++bins[static_cast<std::size_t>(place)];
 }
 
+/// The figures of a block of faces.
+struct Part {
+  Quality figures;
+  std::vector<double> aspect;  // of the quads
+  double side_sum = 0;
+  double shape_sum = 0;
+  std::exception_ptr error;  // of a face that is none
+};
+
+/// Measures a block of faces.
 class Measure {
  public:
-  Measure(const PolygonMesh& mesh, std::span<const double> z)
-      : mesh_(mesh), places_{mesh.points, z} {}
-
-  Quality run() {
-    check();
-    if (mesh_.face_count() == 0) return out_;
+  Measure(const PolygonMesh& mesh, kernel::Places places, Part& part)
+      : mesh_(mesh), places_(places), part_(part), out_(part.figures) {
     out_.min_angle = out_.min_edge = out_.min_shape = kInfinity;
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) measure_face(f);
-    finish_edges();
-    finish_quads();
-    return out_;
   }
 
- private:
-  void check() const;
+  void measure_face(std::size_t f);
+
   double length(VertexId a, VertexId b, double scale = 1) const;
+
+ private:
+  void check_face(std::size_t f) const;
   double corner_angle(std::size_t i) const;
   double aspect() const;
   double shape_in_space() const;
-  void measure_face(std::size_t f);
   void measure_angle(double angle);
   void measure_quad();
-  void finish_edges();
-  void finish_quads();
 
   std::size_t before(std::size_t i) const { return i == 0 ? face_.size() - 1 : i - 1; }
   std::size_t after(std::size_t i) const { return i + 1 == face_.size() ? 0 : i + 1; }
 
   const PolygonMesh& mesh_;
   kernel::Places places_;
-  Quality out_;
+  Part& part_;
+  Quality& out_;
   std::span<const VertexId> face_;
   std::vector<Point> corners_;  // of face_, in the plane or its coordinate plane
-  std::vector<double> aspect_;
-  double side_sum_ = 0;
-  double shape_sum_ = 0;
+  std::vector<double> side_;    // side i goes from corner i to the next one
 };
 
-void Measure::check() const {
-  if (!certify::layout_fits(mesh_)) {
-    throw Error(ErrorCode::kBadMesh, "the faces' beginnings do not fit the list of corners");
+void Measure::check_face(std::size_t f) const {
+  const auto corners = mesh_.face(f);
+  if (corners.size() < 3) {
+    throw Error(ErrorCode::kBadMesh, certify::face_text(mesh_, f) + " has fewer than three corners",
+                {f});
   }
-  if (!places_.planar() && places_.z.size() != mesh_.points.size()) {
-    throw Error(ErrorCode::kBadMesh, "the heights are not one a vertex");
-  }
-  for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-    const auto corners = mesh_.face(f);
-    if (corners.size() < 3) {
-      throw Error(ErrorCode::kBadMesh,
-                  certify::face_text(mesh_, f) + " has fewer than three corners", {f});
+  for (const VertexId v : corners) {
+    if (v >= mesh_.points.size()) {
+      throw Error(ErrorCode::kIndexOutOfRange,
+                  certify::face_text(mesh_, f) + " names a vertex that is not there", {f, v});
     }
-    for (const VertexId v : corners) {
-      if (v >= mesh_.points.size()) {
-        throw Error(ErrorCode::kIndexOutOfRange,
-                    certify::face_text(mesh_, f) + " names a vertex that is not there", {f, v});
-      }
-      if (!std::isfinite(mesh_.points[v].x) || !std::isfinite(mesh_.points[v].y) ||
-          !std::isfinite(places_.at(v).z)) {
-        throw Error(ErrorCode::kNotFinite, certify::vertex_text(mesh_, v) + " is not finite", {v});
-      }
+    if (!std::isfinite(mesh_.points[v].x) || !std::isfinite(mesh_.points[v].y) ||
+        !std::isfinite(places_.at(v).z)) {
+      throw Error(ErrorCode::kNotFinite, certify::vertex_text(mesh_, v) + " is not finite", {v});
     }
   }
 }
@@ -121,7 +129,7 @@ void Measure::measure_angle(double angle) {
 double Measure::length(VertexId a, VertexId b, double scale) const {
   const kernel::Vector3 p = places_.at(a), q = places_.at(b);
   const double x = q.x * scale - p.x * scale, y = q.y * scale - p.y * scale;
-  return places_.planar() ? std::hypot(x, y) : std::hypot(x, y, q.z * scale - p.z * scale);
+  return places_.planar() ? length_of(x, y) : std::hypot(x, y, q.z * scale - p.z * scale);
 }
 
 /// The angle inside the face, degrees in [0, 360).
@@ -137,8 +145,10 @@ double Measure::corner_angle(std::size_t i) const {
 /// Longest over shortest side.
 double Measure::aspect() const {
   double longest = 0, shortest = kInfinity;
-  for (std::size_t i = 0; i < face_.size(); ++i) {
-    const double side = length(face_[i], face_[after(i)], 0.25);  // no overflow
+  for (std::size_t i = 0; i < side_.size(); ++i) {
+    const bool tame = is_tame(side_[i]);
+    const double side =
+        tame ? side_[i] * 0.25 : length(face_[i], face_[after(i)], 0.25);  // no overflow
     longest = std::max(longest, side);
     shortest = std::min(shortest, side);
   }
@@ -153,17 +163,20 @@ double Measure::shape_in_space() const {
 }
 
 void Measure::measure_face(std::size_t f) {
+  check_face(f);
   face_ = mesh_.face(f);
   const kernel::Chart chart =
       places_.planar() ? kernel::Chart() : kernel::Chart(certify::area_of(places_, face_));
   corners_.clear();
+  side_.clear();
   for (const VertexId v : face_) corners_.push_back(places_.seen(chart, v));
   for (std::size_t i = 0; i < face_.size(); ++i) {
     measure_angle(corner_angle(i));
     const double side = length(face_[i], face_[after(i)]);
     out_.max_edge = std::max(out_.max_edge, side);
     out_.min_edge = std::min(out_.min_edge, side);
-    side_sum_ += side;
+    part_.side_sum += side;
+    side_.push_back(side);
   }
   if (corners_.size() == 4) {
     measure_quad();
@@ -181,39 +194,112 @@ void Measure::measure_quad() {
                            ? quad_shape(corners_[0], corners_[1], corners_[2], corners_[3])
                        : turn > 0 ? shape_in_space()
                                   : 0;
-  shape_sum_ += shape;
+  part_.shape_sum += shape;
   out_.min_shape = std::min(out_.min_shape, shape);
   count_in(out_.shape_histogram, shape);
-  aspect_.push_back(aspect());
+  part_.aspect.push_back(aspect());
 }
 
-/// Twice every edge: the sides of all faces, and those on the boundary once more.
-void Measure::finish_edges() {
-  const auto alone = certify::match_edges(mesh_).alone;
-  for (const auto [from, to] : alone) {
-    side_sum_ += length(from, to);
+constexpr std::size_t kFacesOfPart = std::size_t{1} << 14;
+
+std::vector<Part> measure_parts(const PolygonMesh& mesh, kernel::Places places) {
+  std::vector<Part> parts(mesh.face_count() / kFacesOfPart + 1);
+  parallel_for_blocks(mesh.face_count(), kFacesOfPart, [&](std::size_t first, std::size_t last) {
+    Part& part = parts[first / kFacesOfPart];
+    part.aspect.reserve(last - first);
+    Measure measure(mesh, places, part);
+    try {
+      for (std::size_t f = first; f < last; ++f) measure.measure_face(f);
+    } catch (const Error&) {
+      part.error = std::current_exception();
+    }
+  });
+  if (mesh.face_count() % kFacesOfPart == 0) parts.pop_back();
+  for (const Part& part : parts) {
+    if (part.error) std::rethrow_exception(part.error);
   }
-  out_.mean_edge = side_sum_ / static_cast<double>(mesh_.face_vertex.size() + alone.size());
+  return parts;
 }
 
-void Measure::finish_quads() {
-  if (out_.quads == 0) {
-    out_.min_shape = 0;
+template <std::size_t N>
+void add(std::array<std::size_t, N>& sum, const std::array<std::size_t, N>& bins) {
+  for (std::size_t i = 0; i < N; ++i) sum[i] += bins[i];
+}
+
+/// Adds what is counted and what is least or greatest; means are of all parts.
+void add(Quality& sum, const Quality& part) {
+  sum.quads += part.quads;
+  sum.triangles += part.triangles;
+  sum.other_faces += part.other_faces;
+  sum.strictly_convex += part.strictly_convex;
+  sum.flat_cornered += part.flat_cornered;
+  sum.non_convex += part.non_convex;
+  sum.min_angle = std::min(sum.min_angle, part.min_angle);
+  sum.max_angle = std::max(sum.max_angle, part.max_angle);
+  sum.min_shape = std::min(sum.min_shape, part.min_shape);
+  sum.min_edge = std::min(sum.min_edge, part.min_edge);
+  sum.max_edge = std::max(sum.max_edge, part.max_edge);
+  add(sum.angle_histogram, part.angle_histogram);
+  add(sum.shape_histogram, part.shape_histogram);
+}
+
+/// The sides of all faces, and those on the boundary once more: twice every edge.
+void finish_edges(const PolygonMesh& mesh, kernel::Places places, const std::vector<Part>& parts,
+                  Quality& out) {
+  double sum = 0;
+  for (const Part& part : parts) sum += part.side_sum;
+  const auto boundary = certify::boundary_chain(mesh);
+  Part none;
+  const Measure measure(mesh, places, none);
+  for (const auto [from, to] : boundary) sum += measure.length(from, to);
+  const std::size_t sides = mesh.face_vertex.size() + boundary.size();
+  out.edges = sides / 2;
+  out.mean_edge = sum / static_cast<double>(sides);
+}
+
+void finish_quads(std::vector<Part>& parts, Quality& out) {
+  if (out.quads == 0) {
+    out.min_shape = 0;
     return;
   }
-  out_.mean_shape = shape_sum_ / static_cast<double>(out_.quads);
-  const auto middle = aspect_.begin() + static_cast<std::ptrdiff_t>(aspect_.size() / 2);
-  std::ranges::nth_element(aspect_, middle);
-  out_.median_aspect = *middle;
-  out_.max_aspect = *std::max_element(middle, aspect_.end());
+  double sum = 0;
+  std::vector<double> aspect;
+  aspect.reserve(out.quads);
+  for (Part& part : parts) {
+    sum += part.shape_sum;
+    aspect.insert(aspect.end(), part.aspect.begin(), part.aspect.end());
+    part.aspect = {};
+  }
+  out.mean_shape = sum / static_cast<double>(out.quads);
+  const auto middle = aspect.begin() + static_cast<std::ptrdiff_t>(aspect.size() / 2);
+  std::ranges::nth_element(aspect, middle);
+  out.median_aspect = *middle;
+  out.max_aspect = *std::max_element(middle, aspect.end());
+}
+
+Quality measure(const PolygonMesh& mesh, std::span<const double> z) {
+  if (!certify::layout_fits(mesh)) {
+    throw Error(ErrorCode::kBadMesh, "the faces' beginnings do not fit the list of corners");
+  }
+  if (!z.empty() && z.size() != mesh.points.size()) {
+    throw Error(ErrorCode::kBadMesh, "the heights are not one a vertex");
+  }
+  if (mesh.face_count() == 0) return {};
+  const kernel::Places places{mesh.points, z};
+  std::vector<Part> parts = measure_parts(mesh, places);
+  Quality out = parts[0].figures;
+  for (std::size_t i = 1; i < parts.size(); ++i) add(out, parts[i].figures);
+  finish_edges(mesh, places, parts, out);
+  finish_quads(parts, out);
+  return out;
 }
 
 }  // namespace
 
-Quality measure_quality(const PolygonMesh& mesh) { return Measure(mesh, {}).run(); }
+Quality measure_quality(const PolygonMesh& mesh) { return measure(mesh, {}); }
 
 Quality measure_quality(const PolygonMesh& mesh, std::span<const double> z) {
-  return Measure(mesh, z).run();
+  return measure(mesh, z);
 }
 
 }  // namespace quadloom

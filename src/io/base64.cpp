@@ -1,5 +1,6 @@
 #include "io/base64.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -24,19 +25,29 @@ constexpr auto kValues = make_values();
 
 }  // namespace
 
-std::string to_base64(std::string_view bytes) {
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      group = group << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      out += i + j > bytes.size() ? '=' : kLetters[group >> (18 - 6 * j) & 63U];
-    }
+void append_base64(std::string_view bytes, TextBuffer& out) {
+  const std::size_t size = (bytes.size() + 2) / 3 * 4;
+  char* to = out.room(size);
+  const auto byte = [&](std::size_t i) {
+    return std::uint32_t{static_cast<unsigned char>(bytes[i])};
+  };
+  const auto put = [&](std::uint32_t group) {
+    for (int shift = 18; shift >= 0; shift -= 6) *to++ = kLetters[group >> shift & 63U];
+  };
+  std::size_t i = 0;
+  for (; i + 3 <= bytes.size(); i += 3) put(byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2));
+  const std::size_t rest = bytes.size() - i;
+  if (rest > 0) {
+    put(byte(i) << 16 | (rest == 2 ? byte(i + 1) << 8 : 0));
+    std::fill_n(to - (3 - rest), 3 - rest, '=');
   }
-  return out;
+  out.added(size);
+}
+
+std::string to_base64(std::string_view bytes) {
+  TextBuffer out;
+  append_base64(bytes, out);
+  return std::string(out.view());
 }
 
 bool from_base64(std::string_view& text, std::size_t enough, std::string& out) {

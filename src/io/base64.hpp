@@ -5,9 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "io/text_buffer.hpp"
+
 namespace quadloom::io {
 
 std::string to_base64(std::string_view bytes);
+
+/// Likewise, at the end of `out`.
+void append_base64(std::string_view bytes, TextBuffer& out);
 
 /// Decodes into `out`; blanks and line ends are skipped, and several encoded pieces with their
 /// padding may follow each other. False if the text is no base64.

@@ -130,14 +130,14 @@ void write_mesh(const std::string& path, const MeshFile& mesh, const std::string
 
 MeshFile read_mesh(const std::string& path, const std::string& format) {
   const MeshFormat& chosen = find_format(path, format, Use::kRead);
-  const std::string text = read_all(path);
+  const TextBuffer text = read_file(path);
   const auto beside = [&](std::string_view extension) -> std::optional<std::string> {
     auto other = std::filesystem::path(path).replace_extension(extension);
     std::error_code ignored;
     if (path == "-" || !std::filesystem::exists(other, ignored)) return {};
     return read_all(other.string());
   };
-  return chosen.read({source_name(path), text, beside});
+  return chosen.read({source_name(path), text.view(), beside});
 }
 
 }  // namespace quadloom::io

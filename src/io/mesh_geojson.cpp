@@ -98,7 +98,7 @@ class FaceCollector : public GeojsonVisitor {
   std::vector<Attribute> attributes_;
 };
 
-void write_number(Output& out, double value) {
+void write_number(TextBuffer& out, double value) {
   if (std::isfinite(value)) {
     out << value;
   } else {
@@ -106,7 +106,7 @@ void write_number(Output& out, double value) {
   }
 }
 
-void write_position(Output& out, const MeshFile& file, VertexId v) {
+void write_position(TextBuffer& out, const MeshFile& file, VertexId v) {
   out << '[' << file.mesh.points[v].x << ',' << file.mesh.points[v].y;
   if (!file.z.empty()) out << ',' << file.z[v];
   out << ']';
@@ -124,20 +124,20 @@ void write_geojson_mesh(Output& out, const MeshFile& file) {
   std::vector<std::string> keys;
   for (const auto& attribute : file.face_data) keys.push_back(json_string(attribute.name));
   out << R"({"type":"FeatureCollection","features":[)";
-  for (std::size_t f = 0; f < file.mesh.face_count(); ++f) {
-    out << (f == 0 ? "\n" : ",\n") << R"({"type":"Feature","properties":{)";
+  out.each(file.mesh.face_count(), [&](TextBuffer& to, std::size_t f) {
+    to << (f == 0 ? "\n" : ",\n") << R"({"type":"Feature","properties":{)";
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      out << (i == 0 ? "" : ",") << keys[i] << ':';
-      write_number(out, file.face_data[i].values[f]);
+      to << (i == 0 ? "" : ",") << keys[i] << ':';
+      write_number(to, file.face_data[i].values[f]);
     }
-    out << R"(},"geometry":{"type":"Polygon","coordinates":[[)";
+    to << R"(},"geometry":{"type":"Polygon","coordinates":[[)";
     for (const VertexId v : file.mesh.face(f)) {
-      write_position(out, file, v);
-      out << ',';
+      write_position(to, file, v);
+      to << ',';
     }
-    write_position(out, file, file.mesh.face(f).front());
-    out << "]]}}";
-  }
+    write_position(to, file, file.mesh.face(f).front());
+    to << "]]}}";
+  });
   out << "\n]}\n";
 }
 

@@ -107,8 +107,8 @@ class MshWriter {
     const std::size_t nodes = mesh_.points.size();
     out_ << "$Nodes\n1 " << nodes << " 1 " << nodes << "\n2 " << surfaces_.all()[0].entity << " 0 "
          << nodes << '\n';
-    for (std::size_t v = 0; v < nodes; ++v) out_ << v + 1 << '\n';
-    for (std::size_t v = 0; v < nodes; ++v) write_node(v);
+    out_.each(nodes, [](TextBuffer& to, std::size_t v) { to << v + 1 << '\n'; });
+    out_.each(nodes, [&](TextBuffer& to, std::size_t v) { write_node(to, v); });
     out_ << "$EndNodes\n";
     write_elements41();
     write_data();
@@ -116,16 +116,16 @@ class MshWriter {
 
   void write22() {
     out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << mesh_.points.size() << '\n';
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      out_ << v + 1 << ' ';
-      write_node(v);
-    }
+    out_.each(mesh_.points.size(), [&](TextBuffer& to, std::size_t v) {
+      to << v + 1 << ' ';
+      write_node(to, v);
+    });
     out_ << "$EndNodes\n$Elements\n" << mesh_.face_count() + file_.edges.size() << '\n';
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+    out_.each(mesh_.face_count(), [&](TextBuffer& to, std::size_t f) {
       const Surface surface = surfaces_.of(f);
-      out_ << f + 1 << ' ' << type_of(f) << " 2 " << surface.physical << ' ' << surface.entity;
-      write_corners(f);
-    }
+      to << f + 1 << ' ' << type_of(f) << " 2 " << surface.physical << ' ' << surface.entity;
+      write_corners(to, f);
+    });
     for (std::size_t e = 0; e < file_.edges.size(); ++e) {
       out_ << mesh_.face_count() + e + 1 << ' ' << kLine << " 2 0 1";
       write_ends(file_.edges[e]);
@@ -137,13 +137,13 @@ class MshWriter {
  private:
   int type_of(std::size_t f) const { return mesh_.face(f).size() == 3 ? kTriangle : kQuad; }
 
-  void write_node(std::size_t v) {
-    out_ << mesh_.points[v].x << ' ' << mesh_.points[v].y << ' ' << height(file_, v) << '\n';
+  void write_node(TextBuffer& to, std::size_t v) const {
+    to << mesh_.points[v].x << ' ' << mesh_.points[v].y << ' ' << height(file_, v) << '\n';
   }
 
-  void write_corners(std::size_t f) {
-    for (const VertexId v : mesh_.face(f)) out_ << ' ' << std::uint64_t{v} + 1;
-    out_ << '\n';
+  void write_corners(TextBuffer& to, std::size_t f) const {
+    for (const VertexId v : mesh_.face(f)) to << ' ' << std::uint64_t{v} + 1;
+    to << '\n';
   }
 
   void write_ends(const Segment& edge) {
@@ -201,10 +201,11 @@ class MshWriter {
     for (std::size_t f = 0; f < faces;) {
       const std::size_t end = end_of_run(f);
       out_ << "2 " << surfaces_.of(f).entity << ' ' << type_of(f) << ' ' << end - f << '\n';
-      for (; f < end; ++f) {
-        out_ << f + 1;
-        write_corners(f);
-      }
+      out_.each(end - f, [&](TextBuffer& to, std::size_t i) {
+        to << f + i + 1;
+        write_corners(to, f + i);
+      });
+      f = end;
     }
     if (edges > 0) out_ << "1 1 " << kLine << ' ' << edges << '\n';
     for (std::size_t e = 0; e < edges; ++e) {
@@ -230,9 +231,9 @@ class MshWriter {
     const auto is_number = [](double value) { return !std::isnan(value); };
     out_ << '$' << section << "\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n"
          << std::ranges::count_if(data.values, is_number) << '\n';
-    for (std::size_t i = 0; i < data.values.size(); ++i) {
-      if (is_number(data.values[i])) out_ << i + 1 << ' ' << data.values[i] << '\n';
-    }
+    out_.each(data.values.size(), [&](TextBuffer& to, std::size_t i) {
+      if (is_number(data.values[i])) to << i + 1 << ' ' << data.values[i] << '\n';
+    });
     out_ << "$End" << section << '\n';
   }
 

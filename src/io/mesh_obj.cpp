@@ -146,14 +146,14 @@ MeshFile read_obj(const Source& source) { return ObjReader(source).read(); }
 
 void write_obj(Output& out, const MeshFile& file) {
   const auto& mesh = file.mesh;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    out << "v " << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << height(file, v) << '\n';
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out << 'f';
-    for (const VertexId v : mesh.face(f)) out << ' ' << std::uint64_t{v} + 1;
-    out << '\n';
-  }
+  out.each(mesh.points.size(), [&](TextBuffer& to, std::size_t v) {
+    to << "v " << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << height(file, v) << '\n';
+  });
+  out.each(mesh.face_count(), [&](TextBuffer& to, std::size_t f) {
+    to << 'f';
+    for (const VertexId v : mesh.face(f)) to << ' ' << std::uint64_t{v} + 1;
+    to << '\n';
+  });
   for (const Segment& edge : file.edges) {
     out << "l " << std::uint64_t{edge.from} + 1 << ' ' << std::uint64_t{edge.to} + 1 << '\n';
   }

@@ -83,14 +83,14 @@ MeshFile read_off(const Source& source) { return OffReader(source).read(); }
 void write_off(Output& out, const MeshFile& file) {
   const auto& mesh = file.mesh;
   out << "OFF\n" << mesh.points.size() << ' ' << mesh.face_count() << " 0\n";
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    out << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << height(file, v) << '\n';
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out << mesh.face(f).size();
-    for (const VertexId v : mesh.face(f)) out << ' ' << v;
-    out << '\n';
-  }
+  out.each(mesh.points.size(), [&](TextBuffer& to, std::size_t v) {
+    to << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << height(file, v) << '\n';
+  });
+  out.each(mesh.face_count(), [&](TextBuffer& to, std::size_t f) {
+    to << mesh.face(f).size();
+    for (const VertexId v : mesh.face(f)) to << ' ' << v;
+    to << '\n';
+  });
 }
 
 }  // namespace quadloom::io

@@ -313,7 +313,7 @@ std::vector<std::string> property_names(const std::vector<Attribute>& data) {
   return out;
 }
 
-void write_data(Output& out, const std::vector<Attribute>& data, std::size_t i) {
+void write_data(TextBuffer& out, const std::vector<Attribute>& data, std::size_t i) {
   for (const auto& attribute : data) out << ' ' << attribute.values[i];
   out << '\n';
 }
@@ -334,15 +334,15 @@ void write_ply(Output& out, const MeshFile& file) {
       << (most < 256 ? "uchar" : "uint") << " uint vertex_indices\n";
   for (const auto& name : property_names(file.face_data)) out << "property double " << name << '\n';
   out << "end_header\n";
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    out << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << height(file, v);
-    write_data(out, file.vertex_data, v);
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out << mesh.face(f).size();
-    for (const VertexId v : mesh.face(f)) out << ' ' << v;
-    write_data(out, file.face_data, f);
-  }
+  out.each(mesh.points.size(), [&](TextBuffer& to, std::size_t v) {
+    to << mesh.points[v].x << ' ' << mesh.points[v].y << ' ' << height(file, v);
+    write_data(to, file.vertex_data, v);
+  });
+  out.each(mesh.face_count(), [&](TextBuffer& to, std::size_t f) {
+    to << mesh.face(f).size();
+    for (const VertexId v : mesh.face(f)) to << ' ' << v;
+    write_data(to, file.face_data, f);
+  });
 }
 
 }  // namespace quadloom::io

@@ -1,7 +1,9 @@
 // Writes VTK's XML unstructured grids, .vtu: one piece, arrays as text or as base64 within the file.
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #include "io/base64.hpp"
@@ -61,7 +63,7 @@ class VtuWriter {
 
  private:
   /// One array of `count` numbers; value(i) is the i-th. In base64 a header of 8 bytes says how many
-  /// bytes follow; it is encoded with the data, in pieces of whole groups.
+  /// bytes follow; it is encoded with the data, in pieces of whole groups and numbers.
   template <class T, class Value>
   void write_array(const char* type, const std::string& name, int components, std::size_t count,
                    Value value) {
@@ -69,7 +71,9 @@ class VtuWriter {
     if (components > 1) out_ << "\" NumberOfComponents=\"" << components;
     out_ << "\" format=\"" << (ascii_ ? "ascii" : "binary") << "\">\n";
     if (ascii_) {
-      for (std::size_t i = 0; i < count; ++i) out_ << value(i) << (i % 12 == 11 ? '\n' : ' ');
+      out_.each(count, [&](TextBuffer& to, std::size_t i) {
+        to << value(i) << (i % 12 == 11 ? '\n' : ' ');
+      });
     } else {
       write_base64<T>(count, value);
     }
@@ -78,22 +82,22 @@ class VtuWriter {
 
   template <class T, class Value>
   void write_base64(std::size_t count, Value value) {
-    constexpr std::size_t piece = 3 << 14;
-    std::string bytes;
-    append(bytes, static_cast<std::uint64_t>(count * sizeof(T)));
-    for (std::size_t i = 0; i < count; ++i) {
-      append(bytes, static_cast<T>(value(i)));
-      if (bytes.size() < piece) continue;
-      out_ << to_base64(std::string_view(bytes).substr(0, piece));
-      bytes.erase(0, piece);
-    }
-    out_ << to_base64(bytes);
-  }
-
-  template <class T>
-  static void append(std::string& bytes, T value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    bytes.append(raw.data(), raw.size());
+    constexpr std::size_t numbers = 3 << 10,
+                          header = 8 / sizeof(T);  // of a piece; in place of the header
+    out_.each((count + header + numbers - 1) / numbers,
+              [&](TextBuffer& to, std::size_t piece) {
+                std::array<char, numbers * sizeof(T)> bytes;
+                const std::size_t first = piece * numbers,
+                                  last = std::min(first + numbers, count + header);
+                for (std::size_t i = std::max(first, header); i < last; ++i) {
+                  const auto number = static_cast<T>(value(i - header));
+                  std::memcpy(&bytes[(i - first) * sizeof(T)], &number, sizeof(T));
+                }
+                const auto size = static_cast<std::uint64_t>(count * sizeof(T));
+                if (piece == 0) std::memcpy(bytes.data(), &size, sizeof(size));
+                append_base64({bytes.data(), (last - first) * sizeof(T)}, to);
+              },
+              16);
   }
 
   void write_points() {

@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "core/parallel.hpp"
 #include "quadloom/core.hpp"
 #include "quadloom/io.hpp"
 
@@ -37,7 +39,6 @@ std::string followed(const std::string& path) {
 }  // namespace
 
 Output::Output(const std::string& path) : path_(path) {
-  buffer_.reserve(kFlushAt + 4096);
   if (path == "-") {
     file_ = stdout;
   } else {
@@ -78,10 +79,13 @@ void Output::fail(const char* what, int error) {
 }
 
 void Output::flush() {
-  errno = 0;
-  const std::size_t written = std::fwrite(buffer_.data(), 1, buffer_.size(), file_);
-  if (written != buffer_.size()) fail(nullptr, errno);
+  write(buffer_.view());
   buffer_.clear();
+}
+
+void Output::write(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(nullptr, errno);
 }
 
 void Output::commit() {
@@ -96,16 +100,31 @@ void Output::commit() {
   temporary_.clear();
 }
 
-Output& Output::operator<<(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.0).ptr;
-  return *this << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
-}
-
-Output& Output::integer(long long value) {
-  std::array<char, 24> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return *this << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
+// Rounds of blocks, so that not the whole file is in memory.
+void Output::blocks(std::size_t count, std::size_t block, const WriteBlock& write_block) {
+  constexpr std::size_t kBlocks = 64;
+  struct Part {
+    TextBuffer text;
+    std::exception_ptr error;
+  };
+  std::vector<Part> parts(std::min(kBlocks, count / block + 1));
+  for (std::size_t begin = 0; begin < count; begin += block * kBlocks) {
+    const std::size_t of_round = std::min(block * kBlocks, count - begin);
+    parallel_for_blocks(of_round, block, [&](std::size_t first, std::size_t last) {
+      Part& part = parts[first / block];
+      part.text.clear();
+      try {
+        write_block(part.text, begin + first, begin + last);
+      } catch (...) {
+        part.error = std::current_exception();
+      }
+    });
+    flush();
+    for (std::size_t i = 0; i * block < of_round; ++i) {
+      if (parts[i].error) std::rethrow_exception(parts[i].error);
+      write(parts[i].text.view());
+    }
+  }
 }
 
 }  // namespace quadloom::io

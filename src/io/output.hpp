@@ -2,10 +2,12 @@
 // reader ever sees half of it and a failure leaves what was there before.
 #pragma once
 
-#include <concepts>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
+
+#include "io/text_buffer.hpp"
 
 namespace quadloom::io {
 
@@ -19,20 +21,21 @@ class Output {
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  Output& operator<<(std::string_view text) {
-    buffer_.append(text);
+  /// As TextBuffer.
+  template <class Value>
+  Output& operator<<(const Value& value) {
+    buffer_ << value;
     if (buffer_.size() >= kFlushAt) flush();
     return *this;
   }
-  Output& operator<<(char c) {
-    buffer_.push_back(c);
-    return *this;
-  }
-  /// The shortest decimal that reads back as the same double; -0.0 is written as 0.
-  Output& operator<<(double value);
-  template <std::integral Integer>
-  Output& operator<<(Integer value) {
-    return integer(static_cast<long long>(value));
+
+  /// Writes what write(part, i) puts together for each i below `count`, in order; blocks of so many are
+  /// put together on several threads. If some throw, the exception of the first comes through.
+  template <class Write>
+  void each(std::size_t count, const Write& write, std::size_t block = 4096) {
+    blocks(count, block, [&](TextBuffer& part, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) write(part, i);
+    });
   }
 
   /// Writes what is left and gives the file its name. Throws Error kFile.
@@ -41,9 +44,12 @@ class Output {
  private:
   static constexpr std::size_t kFlushAt = std::size_t{1} << 18;
 
-  Output& integer(long long value);
+  using WriteBlock = std::function<void(TextBuffer& part, std::size_t first, std::size_t last)>;
+
+  void blocks(std::size_t count, std::size_t block, const WriteBlock& write);
   void open();
   void flush();
+  void write(std::string_view text);
   void remove_temporary();
   [[noreturn]] void fail(const char* what, int error);
 
@@ -51,7 +57,7 @@ class Output {
   std::string target_;     // where it ends up; empty for standard output
   std::string temporary_;  // empty if the target is written directly
   std::FILE* file_ = nullptr;
-  std::string buffer_;
+  TextBuffer buffer_;
 };
 
 }  // namespace quadloom::io

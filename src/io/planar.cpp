@@ -30,8 +30,8 @@ PlanarFile read_planar(const std::string& path, const std::string& format) {
                             ".geojson, .json and .poly",
                             path));
   }
-  const std::string text = read_all(path);
-  return read_planar_text({source_name(path), text}, name, read_nodes);
+  const TextBuffer text = read_file(path);
+  return read_planar_text({source_name(path), text.view()}, name, read_nodes);
 }
 
 }  // namespace quadloom::io

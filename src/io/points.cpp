@@ -22,14 +22,14 @@ std::string format_of(const std::string& path) {
                           path));
 }
 
-void write_number(Output& out, double value, std::string_view what) {
+void write_number(TextBuffer& out, double value, std::string_view what) {
   if (!std::isfinite(value)) {
     throw Error(ErrorCode::kNotFinite, fmt::format("cannot write {} {}", what, value));
   }
   out << value;
 }
 
-void write_coordinates(Output& out, Point p, const double* z, char between) {
+void write_coordinates(TextBuffer& out, Point p, const double* z, char between) {
   write_number(out, p.x, "the coordinate");
   out << between;
   write_number(out, p.y, "the coordinate");
@@ -40,19 +40,19 @@ void write_coordinates(Output& out, Point p, const double* z, char between) {
 
 void write_table(Output& out, std::span<const Point> points, std::span<const double> z,
                  char between) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    write_coordinates(out, points[i], z.empty() ? nullptr : &z[i], between);
-    out << '\n';
-  }
+  out.each(points.size(), [&](TextBuffer& to, std::size_t i) {
+    write_coordinates(to, points[i], z.empty() ? nullptr : &z[i], between);
+    to << '\n';
+  });
 }
 
 void write_multipoint(Output& out, std::span<const Point> points, std::span<const double> z) {
   out << R"({"type":"MultiPoint","coordinates":[)";
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    out << (i == 0 ? "\n[" : ",\n[");
-    write_coordinates(out, points[i], z.empty() ? nullptr : &z[i], ',');
-    out << ']';
-  }
+  out.each(points.size(), [&](TextBuffer& to, std::size_t i) {
+    to << (i == 0 ? "\n[" : ",\n[");
+    write_coordinates(to, points[i], z.empty() ? nullptr : &z[i], ',');
+    to << ']';
+  });
   out << "\n]}\n";
 }
 
@@ -74,8 +74,8 @@ PointTable read_points(const std::string& path, const ReadPointsOptions& options
                              : path == "-"                  ? "xyz"
                              : extension_of(path) == "node" ? "node"
                                                             : format_of(path);
-  const std::string text = read_all(path);
-  return read_points_text({source_name(path), text}, format, options.columns);
+  const TextBuffer text = read_file(path);
+  return read_points_text({source_name(path), text.view()}, format, options.columns);
 }
 
 void write_points(const std::string& path, std::span<const Point> points,

@@ -1,5 +1,10 @@
 // Points from tables: .csv, .xyz, .txt. A record is split into fields only as far as the last
 // column that is needed; records are lines, save where a quoted field of a .csv holds a line end.
+//
+//   1. the first record says which columns hold the coordinates
+//   2. read_part   of each block of lines, on several threads; one block if there may be line ends within
+//                  quotes
+//   3. join        in order
 
 #include <fmt/format.h>
 
@@ -8,6 +13,7 @@
 #include <cmath>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/columns.hpp"
@@ -26,6 +32,19 @@ class CsvRecords {
  public:
   explicit CsvRecords(const Source& source)
       : source_(source), rest_(without_mark(source.text)), separator_(guess_separator()) {}
+
+  /// Of a part of the same text.
+  CsvRecords at(const LineBlock& block) const {
+    CsvRecords out = *this;
+    out.rest_ = block.text;
+    out.next_line_ = block.first_line;
+    return out;
+  }
+  /// What is not read yet.
+  std::vector<LineBlock> blocks(std::size_t block_bytes) const {
+    const bool quotes = rest_.find('"') != std::string_view::npos;
+    return line_blocks(rest_, next_line_, quotes ? rest_.size() + 1 : block_bytes);
+  }
 
   /// The next record that is not empty, its first `most` fields; false at the end.
   bool next(Fields& fields, std::size_t most) {
@@ -149,21 +168,36 @@ class CsvRecords {
   std::deque<std::string> unquoted_;  // of the current record
 };
 
+/// Blanks and the like between the fields of an .xyz.
+constexpr std::array<bool, 256> make_between() {
+  std::array<bool, 256> out{};
+  for (const char c : {' ', '\t', '\r', ',', ';'}) out[static_cast<unsigned char>(c)] = true;
+  return out;
+}
+constexpr std::array<bool, 256> kBetween = make_between();
+
 /// Records of an .xyz or .txt: one a line.
 class XyzRecords {
  public:
-  explicit XyzRecords(const Source& source) : lines_(source) {}
+  explicit XyzRecords(const Source& source) : source_(source), lines_(source) {}
+
+  XyzRecords at(const LineBlock& block) const { return {source_, block}; }
+  std::vector<LineBlock> blocks(std::size_t block_bytes) const {
+    const LineBlock rest = lines_.rest();
+    return line_blocks(rest.text, rest.first_line, block_bytes);
+  }
 
   bool next(Fields& fields, std::size_t most) {
     fields.clear();
     if (!lines_.next_filled()) return false;
-    const std::string_view text = lines_.line();
-    std::size_t end = 0;
+    const char* at = lines_.line().data();
+    const char* const end = at + lines_.line().size();
     while (fields.size() < most) {
-      const auto begin = text.find_first_not_of(kBetween, end);
-      if (begin == std::string_view::npos || text[begin] == '#') break;
-      end = std::min(text.find_first_of(kBetween, begin), text.size());
-      fields.push_back(text.substr(begin, end - begin));
+      while (at != end && is_between(*at)) ++at;
+      if (at == end || *at == '#') break;
+      const char* const begin = at;
+      while (at != end && !is_between(*at)) ++at;
+      fields.emplace_back(begin, static_cast<std::size_t>(at - begin));
     }
     return true;
   }
@@ -171,7 +205,12 @@ class XyzRecords {
   std::size_t line() const { return lines_.number(); }
 
  private:
-  static constexpr std::string_view kBetween = " \t\r,;";
+  XyzRecords(const Source& source, const LineBlock& block)
+      : source_(source), lines_(source, block) {}
+
+  static bool is_between(char c) { return kBetween[static_cast<unsigned char>(c)]; }
+
+  const Source& source_;
   Lines lines_;
 };
 
@@ -187,17 +226,11 @@ double coordinate(const Source& source, std::size_t line, const Fields& fields,
   return finite_number(source, line, fields[column], "a number in " + columns.name(column));
 }
 
+/// Step 2.
 template <class Records>
-PointTable read_table(const Source& source, const std::string& wish, bool any_header) {
-  Records records(source);
-  PointTable out;
+void read_part(const Source& source, const Columns& columns, Records records, PointTable& out) {
   Fields fields;
-  bool more = records.next(fields, kAll);
-  if (!more) fail_in(source, "the file holds no points", ErrorCode::kTooFewPoints);
-  const Columns columns = choose_columns(source, records.line(), fields, wish, any_header);
-  const std::size_t needed = columns.last() + 1;
-  if (columns.has_header()) more = records.next(fields, needed);
-  for (; more; more = records.next(fields, needed)) {
+  while (records.next(fields, columns.last() + 1)) {
     const auto line = records.line();
     const double x = coordinate(source, line, fields, columns, columns.x);
     const double y = coordinate(source, line, fields, columns, columns.y);
@@ -207,6 +240,42 @@ PointTable read_table(const Source& source, const std::string& wish, bool any_he
     out.points.push_back({x, y});
     out.line.push_back(line);
   }
+}
+
+/// Step 3. Parts that are done with are freed.
+PointTable join(std::vector<PointTable> parts) {
+  if (parts.size() == 1) return std::move(parts[0]);
+  PointTable out;
+  const auto append = [&](auto field) {
+    std::size_t size = 0;
+    for (const PointTable& part : parts) size += (part.*field).size();
+    (out.*field).reserve(size);
+    for (PointTable& part : parts) {
+      const auto values = std::exchange(part.*field, {});
+      (out.*field).insert((out.*field).end(), values.begin(), values.end());
+    }
+  };
+  append(&PointTable::points);
+  append(&PointTable::z);
+  append(&PointTable::line);
+  return out;
+}
+
+template <class Records>
+PointTable read_table(const Source& source, const std::string& wish, bool any_header,
+                      std::size_t block_bytes) {
+  Records records(source);
+  const Records all = records;
+  Fields fields;
+  if (!records.next(fields, kAll)) {
+    fail_in(source, "the file holds no points", ErrorCode::kTooFewPoints);
+  }
+  const Columns columns = choose_columns(source, records.line(), fields, wish, any_header);
+  const Records& table = columns.has_header() ? records : all;
+  PointTable out = join(read_blocks<PointTable>(table.blocks(block_bytes),
+                                                [&](const LineBlock& block, PointTable& part) {
+                                                  read_part(source, columns, table.at(block), part);
+                                                }));
   if (out.points.empty()) {
     fail_in(source, "the file holds a header but no points", ErrorCode::kTooFewPoints);
   }
@@ -215,12 +284,14 @@ PointTable read_table(const Source& source, const std::string& wish, bool any_he
 
 }  // namespace
 
-PointTable read_csv_points(const Source& source, const std::string& columns) {
-  return read_table<CsvRecords>(source, columns, false);
+PointTable read_csv_points(const Source& source, const std::string& columns,
+                           std::size_t block_bytes) {
+  return read_table<CsvRecords>(source, columns, false, block_bytes);
 }
 
-PointTable read_xyz_points(const Source& source, const std::string& columns) {
-  return read_table<XyzRecords>(source, columns, true);
+PointTable read_xyz_points(const Source& source, const std::string& columns,
+                           std::size_t block_bytes) {
+  return read_table<XyzRecords>(source, columns, true, block_bytes);
 }
 
 }  // namespace quadloom::io

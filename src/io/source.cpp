@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace quadloom::io {
 namespace {
@@ -28,23 +31,26 @@ struct Close {
 
 std::string source_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-std::string read_all(const std::string& path) {
+TextBuffer read_file(const std::string& path) {
   const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
                                                            : std::fopen(path.c_str(), "rb"));
   if (!file) fail_to_read(path, errno);
-  std::string text;
-  for (std::size_t size = 0;;) {
-    text.resize(std::max(size + kChunk, size + size / 2));
+  TextBuffer text;
+  std::error_code no_size;
+  const auto size = path == "-" ? 0 : std::filesystem::file_size(path, no_size);
+  std::size_t asked =
+      (no_size ? 0 : static_cast<std::size_t>(size)) + 1;  // one more: the end is seen
+  for (;; asked = std::max(kChunk, text.size())) {
     errno = 0;
-    const std::size_t got = std::fread(text.data() + size, 1, text.size() - size, file.get());
-    size += got;
-    if (size < text.size()) {
-      if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
-      text.resize(size);
-      return text;
-    }
+    const std::size_t got = std::fread(text.room(asked), 1, asked, file.get());
+    text.added(got);
+    if (got == asked) continue;
+    if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
+    return text;
   }
 }
+
+std::string read_all(const std::string& path) { return std::string(read_file(path).view()); }
 
 std::string extension_of(const std::string& path) {
   const auto dot = path.find_last_of("./\\");

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/text_buffer.hpp"
 #include "quadloom/core.hpp"
 
 namespace quadloom::io {
@@ -21,6 +22,7 @@ struct Source {
 };
 
 /// The bytes of a file; "-" is standard input. Throws Error kFile.
+TextBuffer read_file(const std::string& path);
 std::string read_all(const std::string& path);
 
 /// What messages call a path: the path itself, or "standard input".

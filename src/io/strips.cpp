@@ -162,8 +162,8 @@ void write_swaps(Output& out, const StripCode& code) {
 StripFile read_strips_text(const Source& source) { return StripReader(source).read(); }
 
 StripFile read_strips(const std::string& path) {
-  const std::string text = read_all(path);
-  return read_strips_text({source_name(path), without_mark(text)});
+  const TextBuffer text = read_file(path);
+  return read_strips_text({source_name(path), without_mark(text.view())});
 }
 
 void write_strips(const std::string& path, const StripFile& file) {

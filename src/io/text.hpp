@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/line_blocks.hpp"
 #include "io/source.hpp"
 
 namespace quadloom::io {
@@ -42,7 +43,10 @@ std::string_view without_mark(std::string_view text);
 /// The lines of a text one by one, trimmed.
 class Lines {
  public:
-  explicit Lines(const Source& source) : source_(source), rest_(without_mark(source.text)) {}
+  explicit Lines(const Source& source) : Lines(source, {without_mark(source.text), 1}) {}
+  /// Of a part of it.
+  Lines(const Source& source, const LineBlock& block)
+      : source_(source), rest_(block.text), number_(block.first_line - 1) {}
 
   /// Goes to the next line; false at the end.
   bool next();
@@ -54,13 +58,14 @@ class Lines {
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }
   std::size_t bytes_left() const { return rest_.size(); }
+  LineBlock rest() const { return {rest_, number_ + 1}; }
   [[noreturn]] void fail(const std::string& what) const { fail_at(source_, number_, what); }
 
  private:
   const Source& source_;
   std::string_view rest_;
   std::string_view line_;
-  std::size_t number_ = 0;
+  std::size_t number_;
 };
 
 /// The words of a text one by one, over line ends.

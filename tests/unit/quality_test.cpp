@@ -71,6 +71,7 @@ TEST(Quality, CountsInnerEdgesOnce) {
   mesh.add_face(std::array<VertexId, 4>{0, 1, 4, 5});
   mesh.add_face(std::array<VertexId, 4>{1, 2, 3, 4});
   EXPECT_DOUBLE_EQ(measure_quality(mesh).mean_edge, (4 + 3 + 2 * std::sqrt(5)) / 7);
+  EXPECT_EQ(measure_quality(mesh).edges, 7U);
 }
 
 TEST(Quality, AtTheEndsOfTheRange) {

@@ -97,6 +97,7 @@ void bind_quality(nb::module_& m) {
       .value("shape_histogram", &Quality::shape_histogram, "Quads by shape, a tenth a bin.")
       .value("max_aspect", &Quality::max_aspect, "Longest over shortest edge of a quad.")
       .value("median_aspect", &Quality::median_aspect, "The median of the same.")
+      .value("edges", &Quality::edges, "How many; one between two faces counts once.")
       .value("min_edge", &Quality::min_edge, "The shortest edge.")
       .value("max_edge", &Quality::max_edge, "The longest edge.")
       .value("mean_edge", &Quality::mean_edge, "Their mean.")

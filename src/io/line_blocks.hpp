@@ -1,0 +1,43 @@
+// A text cut into blocks of whole lines, for several threads.
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <string_view>
+#include <vector>
+
+#include "core/parallel.hpp"
+
+namespace quadloom::io {
+
+inline constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
+
+struct LineBlock {
+  std::string_view text;
+  std::size_t first_line;
+};
+
+/// Blocks of about so many bytes, each but the last ending with a line's end; one at least.
+std::vector<LineBlock> line_blocks(std::string_view text, std::size_t first_line,
+                                   std::size_t block_bytes);
+
+/// Calls read(block, part) for each block with a part of its own; returns these. If some throw, it is the
+/// exception of the first block that comes through, as if they were read one after the other.
+template <class Part, class Read>
+std::vector<Part> read_blocks(const std::vector<LineBlock>& blocks, const Read& read) {
+  std::vector<Part> parts(blocks.size());
+  std::vector<std::exception_ptr> errors(blocks.size());
+  parallel_tasks(blocks.size(), [&](std::size_t i) {
+    try {
+      read(blocks[i], parts[i]);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (const auto& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+  return parts;
+}
+
+}  // namespace quadloom::io
