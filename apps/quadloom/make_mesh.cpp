@@ -119,22 +119,6 @@ CertifyOptions promised(const MadeMesh& made, const PointRun& run) {
   return promise;
 }
 
-void add_attributes(MadeMesh& made) {
-  const PolygonMesh& mesh = made.file.mesh;
-  io::Attribute added{"added", std::vector<double>(mesh.points.size(), 0)};
-  for (const SteinerPoint& s : made.steiner) added.values[s.vertex] = 1;
-  made.file.vertex_data.push_back(std::move(added));
-
-  io::Attribute shape{"shape", {}};
-  shape.values.reserve(mesh.face_count());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto v = mesh.face(f);
-    const auto at = [&](std::size_t i) { return mesh.points[v[i]]; };
-    shape.values.push_back(v.size() == 4 ? quad_shape(at(0), at(1), at(2), at(3)) : 0);
-  }
-  made.file.face_data.push_back(std::move(shape));
-}
-
 }  // namespace
 
 MadeMesh make_mesh(const io::PointTable& table, const PointRun& run) {
@@ -155,8 +139,23 @@ MadeMesh make_mesh(const io::PointTable& table, const PointRun& run) {
     made.file.z = std::move(elevation.values);
     made.other_z = elevation.differing;
   }
-  add_attributes(made);
   return made;
+}
+
+void add_attributes(MadeMesh& made) {
+  const PolygonMesh& mesh = made.file.mesh;
+  io::Attribute added{"added", std::vector<double>(mesh.points.size(), 0)};
+  for (const SteinerPoint& s : made.steiner) added.values[s.vertex] = 1;
+  made.file.vertex_data.push_back(std::move(added));
+
+  io::Attribute shape{"shape", {}};
+  shape.values.reserve(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto v = mesh.face(f);
+    const auto at = [&](std::size_t i) { return mesh.points[v[i]]; };
+    shape.values.push_back(v.size() == 4 ? quad_shape(at(0), at(1), at(2), at(3)) : 0);
+  }
+  made.file.face_data.push_back(std::move(shape));
 }
 
 std::string method_name(const PointRun& run) {

@@ -22,7 +22,7 @@ struct PointRun {
 };
 
 struct MadeMesh {
-  io::MeshFile file;  // with z if the points have it, "added" per vertex and "shape" per face
+  io::MeshFile file;  // with z if the points have it
   std::vector<SteinerPoint> steiner;
   std::size_t input_points = 0;
   std::size_t input_vertices = 0;  // distinct ones
@@ -40,6 +40,9 @@ struct MadeMesh {
 /// Throws Error kBadOption for PointRun::convex with OddBoundary::kOnEdge;
 /// kGuarantee for PointRun::exact if there is no such mesh, or if that is not known.
 MadeMesh make_mesh(const io::PointTable& table, const PointRun& run);
+
+/// Adds what files tell beside the mesh: "added" per vertex and "shape" per face.
+void add_attributes(MadeMesh& made);
 
 /// As on the command line.
 std::string method_name(const PointRun& run);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <string_view>
 
 #include "convex_facts.hpp"
 #include "exit_codes.hpp"
@@ -41,6 +42,15 @@ void write_report(const MadeMesh& made, const std::string& path, const PointRun&
   io::write_text(output.report, json.dump(2) + "\n");
 }
 
+// Shapes take a while, and two formats leave them out.
+bool holds_data(const OutputOptions& output) {
+  const auto is = [&](std::string_view format) {
+    return output.mesh_format.empty() ? output.mesh.ends_with("." + std::string(format))
+                                      : output.mesh_format == format;
+  };
+  return !is("obj") && !is("off");
+}
+
 void tell(const MadeMesh& made, const PointRun& run, const OutputOptions& output) {
   if (output.quiet && made.certificate.ok()) return;
   std::FILE* to =
@@ -62,11 +72,12 @@ int tell_bound(const MadeMesh& made, std::size_t k) {
 int quadrangulate_point_file(const std::string& path, const io::PointTable& table,
                              double read_seconds, const PointRun& run,
                              const OutputOptions& output) {
-  const MadeMesh made = make(table, run);
+  MadeMesh made = make(table, run);
   if (!made.certificate.ok()) {  // nothing is written that the check refuses
     tell(made, run, output);
     return kCheckFailed;
   }
+  if (holds_data(output)) add_attributes(made);
   io::write_mesh(output.mesh, made.file, output.mesh_format);
   write_picture(made, path, run, output.picture);
   write_report(made, path, run, read_seconds, output);
