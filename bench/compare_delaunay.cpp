@@ -3,8 +3,10 @@
 // corners, neighbours, duplicates merged), CGAL's with its own structure; no time for turning that
 // into indices is counted.
 //
-//   compare_delaunay [rounds]              the table
-//   compare_delaunay rounds KIND n ...     points of `quadloom generate`, in random order
+//   compare_delaunay [--threads N] [rounds]              the table
+//   compare_delaunay [--threads N] rounds KIND n ...     points of `quadloom generate`, in random order
+//
+// Ours is measured on one thread and on N, two unless told otherwise; CGAL's has one.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -43,33 +45,51 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
+std::size_t threads = 2;
+
+/// Seconds of delaunay() on so many threads, and how many triangles there are.
+double time_ours(const std::vector<Point>& points, std::size_t on, std::size_t& faces) {
+  const quadloom::ThreadLimit limit(on);
+  const auto start = std::chrono::steady_clock::now();
+  const quadloom::DelaunayResult result = quadloom::delaunay(points);
+  const double seconds = seconds_since(start);
+  faces = result.mesh.triangle_count();
+  return seconds;
+}
+
 void compare(const std::string& kind, std::size_t n, int rounds) {
   const std::vector<Point> points = shuffled(kind, n);
   std::vector<Kernel::Point_2> cgal_points;
   for (const Point& p : points) cgal_points.emplace_back(p.x, p.y);
-  std::vector<double> ours, theirs, ratio;
+  std::vector<double> one, more, theirs, ratio_of_one, ratio_of_more;
   std::size_t faces = 0, cgal_faces = 0;
   for (int i = 0; i < rounds; ++i) {
-    auto start = std::chrono::steady_clock::now();
-    const quadloom::DelaunayResult result = quadloom::delaunay(points);
-    ours.push_back(seconds_since(start));
-    faces = result.mesh.triangle_count();
-    start = std::chrono::steady_clock::now();
+    one.push_back(time_ours(points, 1, faces));
+    more.push_back(time_ours(points, threads, faces));
+    const auto start = std::chrono::steady_clock::now();
     const Delaunay cgal(cgal_points.begin(), cgal_points.end());
     theirs.push_back(seconds_since(start));
     cgal_faces = cgal.number_of_faces();
-    ratio.push_back(ours.back() / theirs.back());
+    ratio_of_one.push_back(one.back() / theirs.back());
+    ratio_of_more.push_back(more.back() / theirs.back());
   }
-  std::printf("%-14s %9zu %10.4f %10.4f %8.3f   %s\n", kind.c_str(), points.size(), median(ours),
-              median(theirs), median(ratio), faces == cgal_faces ? "" : "faces differ!");
+  std::printf("%-14s %9zu %10.4f %10.4f %10.4f %8.3f %8.3f   %s\n", kind.c_str(), points.size(),
+              median(one), median(more), median(theirs), median(ratio_of_one),
+              median(ratio_of_more), faces == cgal_faces ? "" : "faces differ!");
   std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string(argv[1]) == "--threads") {
+    threads = static_cast<std::size_t>(std::max(1, std::atoi(argv[2])));
+    argc -= 2;
+    argv += 2;
+  }
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
-  std::printf("%-14s %9s %10s %10s %8s\n", "points", "n", "ours s", "CGAL s", "ratio");
+  std::printf("%-14s %9s %10s %8zu th. %10s %8s %8s\n", "points", "n", "1 thread s", threads,
+              "CGAL s", "ratio", "ratio");
   if (argc > 3) {
     for (int i = 2; i + 1 < argc; i += 2) {
       compare(argv[i], static_cast<std::size_t>(std::atof(argv[i + 1])), rounds);

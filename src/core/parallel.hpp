@@ -18,8 +18,8 @@ void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& t
 /// once, on this thread.
 template <typename Work>
 void parallel_for_blocks(std::size_t count, std::size_t block, const Work& work) {
-  parallel_tasks(count / block + (count % block != 0 ? 1 : 0),
-                 [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); });
+  const auto task = [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); };
+  parallel_tasks(count / block + (count % block != 0 ? 1 : 0), std::cref(task));
 }
 
 /// Calls each of them.

@@ -7,9 +7,12 @@
 //   1. spatial_order     the points along the curve, copied in that order
 //   2. number_distinct   equal points, now neighbours, are merged
 //   3. insertion_order   rounds, each eight times the one before, chosen by a fixed hash
+//                        (insertion_order.cpp)
 //   4. first_triangle    three points that are not on a line, with three ghost triangles
 //   5. insert            for each point: locate (a walk from the last point), collect_cavity (the
-//                        triangles whose circle holds the point), fill_cavity (its star)
+//                        triangles whose circle holds the point), fill_cavity (its star);
+//                        delaunay_inserter.cpp, and delaunay_ranges.cpp for large rounds, in which
+//                        ranges of the curve are filled at the same time
 //   6. drop_ghosts       a last triangle moves into the place of each ghost
 //   7. emit              the triangles over the caller's numbers; or emit_in_order, sorted along
 //                        the curve (delaunay_in_order.hpp)
@@ -26,6 +29,9 @@
 // triangulation: the result depends on the set of points alone, not on their order. In a lattice,
 // all diagonals are parallel. Orientations are never perturbed.
 //
+// Threads: from 2^16 points on the large rounds are cut into ranges, and the other steps into
+// blocks, which depend on the points alone. So the result is the same on any number of threads.
+//
 // Degenerate input: repeated points, grids, circles, all points but one on a line, any magnitude.
 // Cost: about nine incircle tests, two at a time, and five orientations a point; 136 bytes a point
 // at the peak, 68 of them the result.
@@ -33,6 +39,7 @@
 #include <string>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "kernel/delaunay_builder.hpp"
 #include "kernel/delaunay_in_order.hpp"
 #include "kernel/input_points.hpp"
@@ -42,6 +49,8 @@ namespace quadloom {
 namespace {
 
 using kernel::DelaunayBuilder;
+
+constexpr std::size_t kBlock = std::size_t{1} << 15;  // of triangles, for a thread
 
 /// The vertex number of each distinct point in the spatial order, whose duplicates are dropped from
 /// `in_order`.
@@ -60,19 +69,26 @@ std::vector<VertexId> drop_duplicates(std::vector<Point>& in_order, std::vector<
   return order;
 }
 
+/// Room for the triangles. The memory is new, so this is work, and each array is filled apart.
+void resize(Triangulation& mesh, std::size_t triangles) {
+  parallel_invoke([&] { mesh.tri_vertex.resize(3 * triangles); },
+                  [&] { mesh.twin.resize(3 * triangles); });
+}
+
 /// The triangles as they were built, each corner under its vertex number. Their order is that of
 /// the last rounds along the curve, one after the other.
 void emit(std::span<const DelaunayBuilder::Triangle> triangles, std::span<const VertexId> vertex,
           Triangulation& mesh) {
-  mesh.tri_vertex.resize(3 * triangles.size());
-  mesh.twin.resize(3 * triangles.size());
-  std::size_t h = 0;
-  for (const DelaunayBuilder::Triangle& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i, ++h) {
-      mesh.tri_vertex[h] = vertex[t.v[i]];
-      mesh.twin[h] = t.twin[i] == kNone ? kNone : 3 * (t.twin[i] >> 2) + (t.twin[i] & 3U);
+  resize(mesh, triangles.size());
+  parallel_for_blocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::size_t h = 3 * begin;
+    for (const DelaunayBuilder::Triangle& t : triangles.subspan(begin, end - begin)) {
+      for (std::size_t i = 0; i < 3; ++i, ++h) {
+        mesh.tri_vertex[h] = vertex[t.v[i]];
+        mesh.twin[h] = t.twin[i] == kNone ? kNone : 3 * (t.twin[i] >> 2) + (t.twin[i] & 3U);
+      }
     }
-  }
+  });
 }
 
 /// Where each triangle goes if they are sorted by the first of their vertices.
@@ -89,16 +105,18 @@ std::vector<TriangleId> places_along_curve(std::span<const DelaunayBuilder::Tria
 }
 
 void emit_in_order(std::span<const DelaunayBuilder::Triangle> triangles, Triangulation& mesh) {
-  const std::vector<TriangleId> place = places_along_curve(triangles, mesh.points.size());
-  mesh.tri_vertex.resize(3 * triangles.size());
-  mesh.twin.resize(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t twin = triangles[t].twin[i];
-      mesh.tri_vertex[3 * place[t] + i] = triangles[t].v[i];
-      mesh.twin[3 * place[t] + i] = twin == kNone ? kNone : 3 * place[twin >> 2] + (twin & 3U);
+  std::vector<TriangleId> place;
+  parallel_invoke([&] { place = places_along_curve(triangles, mesh.points.size()); },
+                  [&] { resize(mesh, triangles.size()); });
+  parallel_for_blocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t twin = triangles[t].twin[i];
+        mesh.tri_vertex[3 * place[t] + i] = triangles[t].v[i];
+        mesh.twin[3 * place[t] + i] = twin == kNone ? kNone : 3 * place[twin >> 2] + (twin & 3U);
+      }
     }
-  }
+  });
 }
 
 /// Steps 1 to 6.
@@ -107,6 +125,7 @@ struct Built {
   std::vector<VertexId> vertex, input_to_vertex;
 };
 
+/// Copies the points along the curve to `points_in_order`, if it is one.
 Built build(std::span<const Point> input, std::vector<Point>* points_in_order) {
   kernel::check_points(input, std::min(kMaxPoints, DelaunayBuilder::kMaxDelaunayPoints));
   std::vector<VertexId> order = spatial_order(input);
@@ -119,12 +138,19 @@ Built build(std::span<const Point> input, std::vector<Point>* points_in_order) {
   }
   std::vector<VertexId> vertex =
       drop_duplicates(in_order, std::move(order), input_to_vertex, count);
-  if (points_in_order != nullptr) *points_in_order = in_order;
   Built out{DelaunayBuilder(std::move(in_order)), std::move(vertex), std::move(input_to_vertex)};
-  if (!out.builder.build()) {
+  bool in_the_plane = false;
+  parallel_invoke([&] { in_the_plane = out.builder.build(); },
+                  [&] {
+                    if (points_in_order == nullptr) return;
+                    const std::span<const Point> points = out.builder.points();
+                    points_in_order->assign(points.begin(), points.end());
+                  });
+  if (!in_the_plane) {
     throw Error(ErrorCode::kAllCollinear,
                 "all " + std::to_string(count) + " distinct points are on one line");
   }
+  out.builder.free_points();  // before the result takes its memory
   return out;
 }
 

@@ -4,12 +4,15 @@
 #include <numeric>
 #include <string>
 
+#include "core/parallel.hpp"
 #include "kernel/input_points.hpp"
 #include "quadloom/kernel.hpp"
 
 namespace quadloom {
 namespace kernel {
 namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 16;  // of points, for a thread
 
 bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
@@ -33,7 +36,10 @@ void check_points(std::span<const Point> input, std::size_t limit) {
 std::vector<Point> gather(std::span<const Point> points, std::span<const VertexId> order) {
   std::vector<Point> out;
   out.reserve(order.size() + 1);  // delaunay() adds a point at infinity
-  for (const VertexId v : order) out.push_back(points[v]);
+  out.resize(order.size());
+  parallel_for_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) out[i] = points[order[i]];
+  });
   return out;
 }
 

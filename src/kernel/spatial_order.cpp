@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "kernel/hilbert.hpp"
 #include "quadloom/kernel.hpp"
 
@@ -31,6 +32,8 @@ constexpr std::size_t kRadixSort = 4096;  // from this size on, counting beats c
 constexpr unsigned kDigit = 11;           // three digits for a key of 32 bits
 constexpr std::size_t kTwoDigits = std::size_t{1} << 20;
 constexpr std::size_t kBuckets = std::size_t{1} << kDigit;
+constexpr std::size_t kBlock = std::size_t{1} << 16;  // of a long run, for a thread
+constexpr std::size_t kMostBlocks = 64;               // that sort_by_digits counts by themselves
 
 using Word = std::uint64_t;  // key << 32 | index
 
@@ -45,6 +48,11 @@ class Grid {
     low_.y = std::min(low_.y, p.y);
     high_.x = std::max(high_.x, p.x);
     high_.y = std::max(high_.y, p.y);
+  }
+
+  void include(const Grid& other) {
+    include(other.low_);
+    include(other.high_);
   }
 
   /// To be called after the last include. False if the box is a single point.
@@ -80,9 +88,10 @@ class SpatialSort {
 
   std::vector<VertexId> run() {
     const std::size_t n = points_.size();
-    words_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) words_[i] = i;
-    scratch_.resize(n);
+    parallel_invoke([&] { words_.resize(n); }, [&] { scratch_.resize(n); });
+    parallel_for_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) words_[i] = i;
+    });
     pending_.push_back({0, n});
     while (!pending_.empty()) {
       const Run r = pending_.back();
@@ -90,7 +99,9 @@ class SpatialSort {
       refine(r);
     }
     std::vector<VertexId> order(n);
-    for (std::size_t i = 0; i < n; ++i) order[i] = index_of(words_[i]);
+    parallel_for_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) order[i] = index_of(words_[i]);
+    });
     return order;
   }
 
@@ -119,55 +130,96 @@ class SpatialSort {
   }
 
   bool keyed(Run r) {
+    std::vector<Grid> part((r.end - r.begin - 1) / kBlock + 1);
+    parallel_for_blocks(r.end - r.begin, kBlock, [&](std::size_t begin, std::size_t end) {
+      Grid own;  // its corners stay in registers
+      for (std::size_t i = r.begin + begin; i < r.begin + end; ++i) {
+        own.include(points_[index_of(words_[i])]);
+      }
+      part[begin / kBlock] = own;
+    });
     Grid grid;
-    for (std::size_t i = r.begin; i < r.end; ++i) grid.include(points_[index_of(words_[i])]);
+    for (const Grid& p : part) grid.include(p);
     if (!grid.finish()) return false;
-    for (std::size_t i = r.begin; i < r.end; ++i) {
-      const VertexId v = index_of(words_[i]);
-      words_[i] = Word{grid.key(points_[v])} << 32 | v;
-    }
+    parallel_for_blocks(r.end - r.begin, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = r.begin + begin; i < r.begin + end; ++i) {
+        const VertexId v = index_of(words_[i]);
+        words_[i] = Word{grid.key(points_[v])} << 32 | v;
+      }
+    });
     return true;
   }
 
   // By counting, least digit first. Up to a million points the upper 22 bits of the key part nearly
   // all of them, and two passes are enough; the runs that they leave are sorted by comparing.
   void sort_keys(Run r) {
-    const auto begin = words_.begin() + static_cast<std::ptrdiff_t>(r.begin);
-    const auto end = words_.begin() + static_cast<std::ptrdiff_t>(r.end);
     if (r.end - r.begin < kRadixSort) {
-      std::sort(begin, end);
+      std::sort(words_.begin() + static_cast<std::ptrdiff_t>(r.begin),
+                words_.begin() + static_cast<std::ptrdiff_t>(r.end));
     } else if (r.end - r.begin <= kTwoDigits) {
-      sort_by_digits<2>(r, 64 - 2 * kDigit);
-      for (auto i = begin; i != end;) {
-        const Word upper = *i >> (64 - 2 * kDigit);
-        auto j = i + 1;
-        while (j != end && *j >> (64 - 2 * kDigit) == upper) ++j;
-        if (j - i > 1) std::sort(i, j);
-        i = j;
-      }
+      constexpr unsigned kLowest = 64 - 2 * kDigit;
+      sort_by_digits<2>(r, kLowest);
+      sort_runs(r, kLowest);
     } else {
       sort_by_digits<3>(r, 32);
     }
   }
 
+  /// Sorts each run of equal bits from `lowest` on. The blocks end where runs end.
+  void sort_runs(Run r, unsigned lowest) {
+    Word* const words = words_.data();
+    const auto end_of_run = [words, r, lowest](std::size_t i) {
+      const Word upper = words[i] >> lowest;
+      do ++i;
+      while (i < r.end && words[i] >> lowest == upper);
+      return i;
+    };
+    std::vector<std::size_t> cut = {r.begin};
+    while (cut.back() < r.end) {
+      cut.push_back(end_of_run(std::min(cut.back() + kBlock, r.end) - 1));
+    }
+    parallel_tasks(cut.size() - 1, [&](std::size_t block) {
+      for (std::size_t i = cut[block], j = i; i < cut[block + 1]; i = j) {
+        j = end_of_run(i);
+        if (j - i > 1) std::sort(words + i, words + j);
+      }
+    });
+  }
+
+  using Counts = std::array<std::uint32_t, kBuckets>;
+
+  // Each block counts its digits; the sums over buckets, and in a bucket over blocks, are the places
+  // where each block puts its words.
   template <unsigned kDigits>
   void sort_by_digits(Run r, unsigned lowest) {
-    const auto digit = [lowest](Word w, unsigned d) {
-      return w >> (lowest + d * kDigit) & (kBuckets - 1);
-    };
     const std::size_t n = r.end - r.begin;
+    const std::size_t block = std::max(kBlock, n / kMostBlocks + 1);
     Word *from = words_.data() + r.begin, *to = scratch_.data();
-    std::array<std::array<std::uint32_t, kBuckets>, kDigits> count{};
-    for (std::size_t i = 0; i < n; ++i) {
-      for (unsigned d = 0; d < kDigits; ++d) ++count[d][digit(from[i], d)];
-    }
+    std::vector<Counts> place((n - 1) / block + 1);
     for (unsigned d = 0; d < kDigits; ++d) {
+      const auto digit = [shift = lowest + d * kDigit](Word w) {
+        return w >> shift & (kBuckets - 1);
+      };
+      parallel_for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        Counts& count = place[begin / block];
+        count.fill(0);
+        for (std::size_t i = begin; i < end; ++i) ++count[digit(from[i])];
+      });
       std::uint32_t sum = 0;
-      for (std::uint32_t& c : count[d]) sum += std::exchange(c, sum);
-      for (std::size_t i = 0; i < n; ++i) to[count[d][digit(from[i], d)]++] = from[i];
+      for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
+        for (Counts& count : place) sum += std::exchange(count[bucket], sum);
+      }
+      parallel_for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        Counts& next = place[begin / block];
+        for (std::size_t i = begin; i < end; ++i) to[next[digit(from[i])]++] = from[i];
+      });
       std::swap(from, to);
     }
-    if (kDigits % 2 == 1) std::copy(from, from + n, to);  // the words ended in the scratch
+    if (kDigits % 2 == 1) {  // the words ended in the scratch
+      parallel_for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        std::copy(from + begin, from + end, to + begin);
+      });
+    }
   }
 
   void split(Run r) {
