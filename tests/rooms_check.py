@@ -22,6 +22,7 @@ ROOMS = {
     "io": ["core", "kernel", "dual", "quadrangulate", "convex", "strips", "certify"],
 }
 THREADS = "src/core/parallel.cpp"  # the one file that includes oneTBB
+HUGE_PAGES = "src/core/large_array.cpp"  # the one file that asks Linux for them
 LIBRARY = [room for room in ROOMS if room != "io"]  # needs the standard library and Boost's headers
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"^[a-z_0-9]+$")
@@ -47,6 +48,8 @@ def fault_of(file, room, public, quote, name):
     if quote == "<":
         if name.startswith("tbb/"):
             return None if file == THREADS else f"threads are {THREADS}'s"
+        if name == "sys/mman.h" and file == HUGE_PAGES:
+            return None
         if room == "io" and not public or STANDARD.match(name):
             return None
         if not name.startswith("boost/"):
@@ -117,6 +120,7 @@ def self_test():
             f'#include "quadloom/{room}.hpp"' for room in ["core", "kernel", "certify"]),
         "src/core/mesh.cpp": '#include "quadloom/core.hpp"',
         "src/core/parallel.cpp": '#include "quadloom/core.hpp"\n#include <tbb/parallel_for.h>',
+        "src/core/large_array.cpp": "#include <sys/mman.h>",
         "src/kernel/hull.cpp": '#include <boost/x.hpp>\n#include "core/random.hpp"\n#include "kernel/a.hpp"',
         "src/certify/certify.cpp": '#include "quadloom/kernel.hpp"',
         "src/io/obj.cpp": '#include <fmt/core.h>\n#include "quadloom/certify.hpp"',
@@ -130,6 +134,7 @@ def self_test():
         ("src/kernel/hull.cpp", "#include <fmt/core.h>", "Boost's headers alone"),
         ("src/kernel/hull.cpp", "#  include <gmpxx.h>", "Boost's headers alone"),
         ("src/kernel/hull.cpp", "#include <tbb/parallel_for.h>", "threads are src/core/parallel.cpp's"),
+        ("src/kernel/hull.cpp", "#include <sys/mman.h>", "Boost's headers alone"),
         ("src/core/parallel.hpp", "#include <tbb/parallel_for.h>", "threads are src/core/parallel.cpp's"),
         ("src/io/obj.cpp", "#include <tbb/parallel_for.h>", "threads are src/core/parallel.cpp's"),
         ("src/kernel/hull.cpp", '#include "quadloom/io.hpp"', "kernel must not include io"),

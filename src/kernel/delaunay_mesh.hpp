@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/large_array.hpp"
 #include "quadloom/core.hpp"
 
 namespace quadloom::kernel {
@@ -28,7 +28,7 @@ struct DelaunayMesh {
       : points(std::move(given)), ghost(static_cast<std::uint32_t>(points.size())) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     points.push_back({kNan, kNan});
-    triangles = std::make_unique_for_overwrite<Triangle[]>(2 * points.size());
+    triangles = large_array<Triangle>(2 * points.size());
   }
 
   bool is_ghost(const Triangle& t) const {
@@ -42,9 +42,9 @@ struct DelaunayMesh {
     return static_cast<std::uint32_t>(2 * inserted - 2);
   }
 
-  std::vector<Point> points;  // and the point at infinity, not-a-number in both coordinates
-  std::uint32_t ghost;        // its number
-  std::unique_ptr<Triangle[]> triangles;  // not touched before they are written, by whom needs them
+  std::vector<Point> points;       // and the point at infinity, not-a-number in both coordinates
+  std::uint32_t ghost;             // its number
+  LargeArray<Triangle> triangles;  // not touched before they are written, by whom needs them
 };
 
 }  // namespace quadloom::kernel
