@@ -101,10 +101,13 @@ inline PairVerdict incircle_pair_filter(Pair ax, Pair ay, Pair bx, Pair by, Pair
   return {(inside | outside) & (lifts < kIncircleLargestLift), inside};
 }
 
-/// orient2d with the filter inlined.
-inline int orient(Point a, Point b, Point c) {
-  const int sign = cross_filter(a, b, a, c);
-  return sign != 0 ? sign : cross_exact(a, b, a, c);
+/// cross_sign with the filter inlined.
+inline int cross(Point a, Point b, Point c, Point d) {
+  const int sign = cross_filter(a, b, c, d);
+  return sign != 0 ? sign : cross_exact(a, b, c, d);
 }
+
+/// orient2d with the filter inlined.
+inline int orient(Point a, Point b, Point c) { return cross(a, b, a, c); }
 
 }  // namespace quadloom::kernel

@@ -16,6 +16,7 @@
 // to the other. Cost: O(n), after the layers.
 #include <algorithm>
 
+#include "kernel/predicates_inline.hpp"
 #include "quadloom/kernel.hpp"
 
 namespace quadloom {
@@ -28,7 +29,7 @@ std::size_t entry_point(std::span<const Point> points, std::span<const VertexId>
   for (std::size_t i = 1; i < layer.size(); ++i) {
     const Point first = points[layer[best]];
     const Point other = points[layer[i]];
-    const int side = orient2d(eye, first, other);
+    const int side = kernel::orient(eye, first, other);
     const bool nearer = lex_less(eye, first) ? lex_less(other, first) : lex_less(first, other);
     if (side > 0 || (side == 0 && nearer)) best = i;
   }

@@ -34,13 +34,17 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "kernel/predicates_inline.hpp"
+
 namespace quadloom::quadrangulate {
 namespace {
 
 class Calipers {
  public:
   Calipers(std::span<const Point> points, const std::vector<VertexId>& spiral, std::size_t hull)
-      : points_(points), spiral_(spiral), hull_(hull) {
+      : spiral_(spiral), hull_(hull) {
+    at_.reserve(spiral.size());
+    for (const VertexId v : spiral) at_.push_back(points[v]);
     measure_turns();
   }
 
@@ -56,7 +60,7 @@ class Calipers {
   }
 
  private:
-  Point at(std::size_t i) const { return points_[spiral_[i]]; }
+  Point at(std::size_t i) const { return at_[i]; }
 
   void measure_turns() {
     const Point from = at(hull_ - 1);
@@ -65,7 +69,7 @@ class Calipers {
     std::uint32_t full_turns = 0;
     std::uint32_t half_before = 0;
     for (std::size_t k = 0; k + 1 < spiral_.size(); ++k) {
-      const int side = cross_sign(from, to, at(k), at(k + 1));
+      const int side = kernel::cross(from, to, at(k), at(k + 1));
       const bool first_half = side < 0 || (side == 0 && dot_sign(from, to, at(k), at(k + 1)) > 0);
       const std::uint32_t half = first_half ? 0 : 1;
       if (half < half_before) ++full_turns;
@@ -91,7 +95,7 @@ class Calipers {
     const std::uint32_t outer = half_turns_[i] + 2;
     const std::uint32_t inner = half_turns_[j];
     if (outer != inner) return outer < inner ? -1 : 1;
-    return cross_sign(at(i), at(i + 1), at(j), at(j + 1));
+    return kernel::cross(at(i), at(i + 1), at(j), at(j + 1));
   }
 
   std::size_t first_of_last_run(std::size_t last) const {
@@ -104,8 +108,8 @@ class Calipers {
     corner_.insert(corner_.end(), {spiral_[outer_], spiral_[inner_], spiral_[apex]});
   }
 
-  std::span<const Point> points_;
   const std::vector<VertexId>& spiral_;
+  std::vector<Point> at_;  // in the order of the spiral: the calipers go through them one by one
   std::size_t hull_;
   std::vector<std::uint32_t> half_turns_;
   std::vector<VertexId> corner_;

@@ -1,8 +1,13 @@
 // Convex layers against peeling, the spiral against the paper's spiraling procedure.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "kernel/layer_bands.hpp"
+#include "kernel/lex_order.hpp"
+#include "kernel/peel_layers.hpp"
 #include "quadloom/generate.hpp"
 #include "support/grid_points.hpp"
 
@@ -92,6 +97,111 @@ TEST(ConvexLayers, AreTheHullsOfWhatIsLeftForEveryGenerator) {
       const auto input = generator.make(n, 7);
       expect_layers_and_spiral(distinct_points(input).points);
       if (HasFatalFailure()) return;
+    }
+  }
+}
+
+void expect_layers_in_bands(const std::vector<Point>& points, kernel::PeelingSizes sizes) {
+  const kernel::LexOrder order = kernel::lex_order(points);
+  ConvexLayers layers = kernel::peel_layers(order.points, {}, sizes);
+  for (VertexId& v : layers.vertex) v = order.index[v];
+  const ConvexLayers expected = peel(points);
+  ASSERT_EQ(layers.begin, expected.begin);
+  ASSERT_EQ(layers.vertex, expected.vertex);
+}
+
+// Small bands, so that small sets have many: good ones, and such as have little to do with the layers.
+TEST(ConvexLayers, DoNotDependOnTheBands) {
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    Random random(seed);
+    const kernel::PeelingSizes sizes = {.band = 1 + random.below(20),
+                                        .sample = 2 + random.below(5)};
+    expect_layers_in_bands(uniform_points(random, 1 + random.below(300)), sizes);
+    expect_layers_in_bands(random_grid_points(random, 1 + random.below(300), 1 + random.below(30),
+                                              1 + random.below(30)),
+                           sizes);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(ConvexLayers, DoNotDependOnTheBandsForAnyGenerator) {
+  for (const Generator& generator : generators()) {
+    for (const std::size_t n : {100U, 1500U}) {
+      for (const std::size_t band : {16U, 100U}) {
+        SCOPED_TRACE(::testing::Message() << generator.name << " " << n << " " << band);
+        const auto points = distinct_points(generator.make(n, 7)).points;
+        expect_layers_in_bands(points, {.band = band, .sample = 4});
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+// In a cross nearly all triangles share few corners: peeling goes on with hull trees.
+TEST(ConvexLayers, AreTheHullsOfWhatIsLeftOfManyPoints) {
+  for (const char* kind : {"uniform", "cross", "grid"}) {
+    SCOPED_TRACE(kind);
+    const auto points = distinct_points(generate_points(kind, 40'000, 3)).points;
+    const ConvexLayers layers = convex_layers(points);
+    std::vector<VertexId> rest(points.size());
+    std::iota(rest.begin(), rest.end(), VertexId{0});
+    for (std::size_t i = 0; i < std::min<std::size_t>(layers.count(), 150); ++i) {
+      std::vector<Point> left;
+      for (const VertexId v : rest) left.push_back(points[v]);
+      std::vector<VertexId> hull = convex_hull(left);
+      for (VertexId& v : hull) v = rest[v];
+      const auto layer = layers.layer(i);
+      ASSERT_EQ(hull, std::vector<VertexId>(layer.begin(), layer.end()));
+      std::vector<char> gone(points.size(), 0);
+      for (const VertexId v : hull) gone[v] = 1;
+      rest.erase(std::remove_if(rest.begin(), rest.end(), [&](VertexId v) { return gone[v]; }),
+                 rest.end());
+    }
+  }
+}
+
+TEST(LayerBands, AreAboutTheLayers) {
+  Random random(1);
+  const std::vector<Point> sorted = kernel::lex_order(uniform_points(random, 50'000)).points;
+  std::vector<Point> sample;
+  for (std::size_t i = 0; i < sorted.size(); i += 10) sample.push_back(sorted[i]);
+  const kernel::LayerBands bands =
+      kernel::layer_bands(sorted, sample, kernel::peel_layers(sample), 500);
+  ASSERT_GE(bands.count, 8U);
+  ASSERT_LE(bands.count, 11U);
+  // The points of each band, peeled from the outside in, should be those of the next so many layers.
+  std::vector<std::size_t> size(bands.count, 0);
+  for (const std::uint32_t band : bands.of_point) ++size[band];
+  const ConvexLayers layers = kernel::peel_layers(sorted);
+  std::size_t band = 0, end = size[0], right = 0;
+  for (std::size_t i = 0; i < layers.vertex.size(); ++i) {
+    while (i >= end) end += size[++band];
+    if (bands.of_point[layers.vertex[i]] == band) ++right;
+  }
+  ASSERT_GT(right, sorted.size() * 8 / 10);
+}
+
+TEST(LexOrder, IsThatOfTheCoordinates) {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    Random random(seed);
+    std::vector<Point> points = seed % 2 == 0
+                                    ? uniform_points(random, random.below(300))
+                                    : random_grid_points(random, random.below(300), 9, 40);
+    const double scales[] = {1, -1, 0x1p-1060, 0x1p1015, 0};
+    for (Point& p : points) {
+      const double scale = scales[random.below(1 + seed % 5)];
+      p = {p.x * scale, p.y * scale};
+    }
+    std::vector<VertexId> expected(points.size());
+    std::iota(expected.begin(), expected.end(), VertexId{0});
+    std::stable_sort(expected.begin(), expected.end(),
+                     [&](VertexId a, VertexId b) { return lex_less(points[a], points[b]); });
+    const kernel::LexOrder order = kernel::lex_order(points);
+    ASSERT_EQ(order.index, expected);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_EQ(order.points[i], points[expected[i]]);
     }
   }
 }
