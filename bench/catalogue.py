@@ -4,7 +4,7 @@ import dataclasses
 UNIFORM = [("uniform", 10**k) for k in (4, 5, 6, 7)]
 OTHERS = [("clusters", 10**6), ("grid", 10**6)]
 HARD = [("circle", 10**5), ("lines", 10**5)]
-LARGE = tuple(f"quadloom {task}" for task in ("delaunay", "quads", "quads@2", "convex", "convex@2", "certify", "certify@2"))
+LARGE = tuple(f"quadloom {task}" for task in ("delaunay", "quads", "quads@2", "convex", "convex@2"))
 TOWNS = [("towns", 7241), ("cities", 135233)]
 
 
