@@ -133,26 +133,6 @@ def test_a_limit_of_threads(points):
         quadloom.thread_limit(0)
 
 
-LIMITED = """
-import os, quadloom
-points = quadloom.generate_points("uniform", 200_000)
-counts = [len(os.listdir("/proc/self/task"))]
-with quadloom.thread_limit(1):
-    quadloom.delaunay(points)
-counts.append(len(os.listdir("/proc/self/task")))
-quadloom.delaunay(points)
-counts.append(len(os.listdir("/proc/self/task")))
-print(counts[1] - counts[0], counts[2] - counts[0])
-"""
-
-
-@pytest.mark.skipif(sys.platform != "linux" or os.cpu_count() < 2, reason="counts the threads in /proc, of two cores")
-def test_the_limit_is_kept():
-    done = subprocess.run([sys.executable, "-c", LIMITED], capture_output=True, text=True, check=True)
-    limited, free = map(int, done.stdout.split())
-    assert limited == 0 < free
-
-
 FORKED = """
 import os, quadloom
 points = quadloom.generate_points("uniform", 200_000)
