@@ -53,14 +53,15 @@ constexpr int kLeastCycles = 3;
 constexpr std::size_t kCycleTriangles = 3'000'000;  // triangles times cycles, between the two
 constexpr std::size_t kCycleBad = 100'000;          // and bad quads times cycles, at most
 constexpr std::size_t kMostTries = 2;
-constexpr std::size_t kTiny = 100;               // triangles; there one try sees it all
-constexpr std::size_t kTriesTriangles = 16'000;  // triangles times tries, if there are several
-constexpr int kPatience = 15;                    // cycles without a bad quad less, at most
-constexpr std::size_t kTrianglesPerCycle = 25;   // small meshes have seen it all sooner
-constexpr int kRounds = 10;                      // of wandering in a cycle
-constexpr std::size_t kLargest = 8;              // quads of a cluster
-constexpr std::size_t kRecuts = 500;             // clusters in a cycle, about 20 us each
-constexpr std::size_t kMostRecuts = 8'000;       // and in all
+constexpr std::size_t kTiny = 100;                 // triangles; there one try sees it all
+constexpr std::size_t kTriesTriangles = 16'000;    // triangles times tries, if there are several
+constexpr int kPatience = 15;                      // cycles without a bad quad less, at most
+constexpr std::size_t kTrianglesPerCycle = 25;     // small meshes have seen it all sooner
+constexpr int kRounds = 10, kRoundsIfThrifty = 5;  // of wandering in a cycle
+constexpr int kStarRounds = 6;
+constexpr std::size_t kLargest = 8;         // quads of a cluster
+constexpr std::size_t kRecuts = 500;        // clusters in a cycle, about 20 us each
+constexpr std::size_t kMostRecuts = 8'000;  // and in all
 constexpr std::size_t kLeastRecutTries = 2;
 constexpr std::size_t kMostRecutTries = 500;
 constexpr std::size_t kMostRecutQuads = 16;
@@ -86,7 +87,8 @@ class Mender {
     slide();
     state_.adopt_inner_points();
     report_progress(progress_, "stars", 0);
-    for (int round = 0; round < 6 && !state_.bad.empty(); ++round) add_stars(state_, statistics_);
+    for (int round = 0; round < kStarRounds && !state_.bad.empty(); ++round)
+      add_stars(state_, statistics_);
     add_cases(state_, statistics_);
     settle(state_, statistics_);
     state_.compact();
@@ -155,13 +157,14 @@ void Mender::move() {
       static_cast<int>(1 + kCycleBad / state_.bad.size()));
   const int patience =
       std::clamp(static_cast<int>(mesh_.mate.size() / kTrianglesPerCycle), 4, kPatience);
+  const int rounds = state_.is_thrifty() ? kRoundsIfThrifty : kRounds;
   std::size_t fewest = state_.bad.size();
   int since = 0;
   for (int cycle = 0;
        cycle < cycles && !state_.bad.empty() && work_ < most_work && since < patience;
        ++cycle, ++since) {
     report_progress(progress_, "mending", static_cast<double>(cycle) / cycles);
-    for (int round = 0; round < kRounds && !state_.bad.empty(); ++round) {
+    for (int round = 0; round < rounds && !state_.bad.empty(); ++round) {
       wander(cycle == 0 && round == 0 ? Wish::kBestShape : Wish::kRandom);
     }
     walk();

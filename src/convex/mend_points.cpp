@@ -28,7 +28,8 @@ using quadrangulate::QuadBehind;
 constexpr double kUsualPrice = 0.8;  // of a quad
 constexpr std::size_t kLargestStar = 5;
 /// Clusters looked at for each star; fewer where there is very much to mend.
-constexpr std::size_t kStarTries = 60, kLeastStarTries = 8, kTriesOfARound = 400'000;
+constexpr std::size_t kStarTries = 60, kStarTriesIfThrifty = 12, kLeastStarTries = 8;
+constexpr std::size_t kTriesOfARound = 400'000;
 
 struct StarCluster {
   Cluster cluster;
@@ -141,8 +142,8 @@ void apply(Mending& state, const Case& found) {
 
 void add_stars(Mending& state, MendStatistics& statistics) {
   std::vector<TriangleId> next;
-  const std::size_t tries =
-      std::clamp(kTriesOfARound / (state.bad.size() + 1), kLeastStarTries, kStarTries);
+  const std::size_t tries = std::clamp(kTriesOfARound / (state.bad.size() + 1), kLeastStarTries,
+                                       state.is_thrifty() ? kStarTriesIfThrifty : kStarTries);
   for (const TriangleId t : state.bad) {
     if (!state.is_bad(t)) continue;
     const auto best = best_star(state, t, tries);

@@ -2,12 +2,16 @@
 //   1. walk_convexly   cheap searches that leave strictly convex quads, with the quads around as they are, or one
 //                      edge between two of them slid (quick_walk.hpp)
 //   2. walk_deeply     thorough ones (walk.hpp), as long as their budget lasts
-//   3. walk_anyhow     the others pair up by any quads, which are bad again but elsewhere; where walks are stuck
+//   3. rejoin_halves   large meshes: halves that are both left over are a quad again; a way to others, by quads that are
+//                      bad as well, would be long
+//   4. walk_anyhow     the others pair up by any quads, which are bad again but elsewhere; where walks are stuck
 //                      (narrow corridors) the steps of crossings that need no point go on
 #include "convex/mend_walk.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "convex/mending.hpp"
 
 namespace quadloom::convex {
 
@@ -17,8 +21,7 @@ using quadrangulate::WalkQuads;
 namespace {
 
 /// Bad quads are rare in large meshes, and what locks a triangle is seldom far from it.
-constexpr std::size_t kLarge = 100'000;  // triangles
-constexpr std::size_t kNear = 1'000;     // nodes of a search
+constexpr std::size_t kNear = 1'000;  // nodes of a search
 constexpr std::size_t kNearIfLarge = 300;
 constexpr std::size_t kAfterSlide = 200;
 /// Nodes of thorough searches, for each walk(); what is left over adds up.
@@ -45,12 +48,14 @@ MendWalker::MendWalker(quadrangulate::PairedMesh& mesh,
   };
 }
 
-bool MendWalker::is_large() const { return mesh_.mate.size() > kLarge; }
+bool MendWalker::is_large() const { return mesh_.mate.size() > kLargeMesh; }
 
 std::vector<TriangleId> MendWalker::walk(std::span<const TriangleId> apart) {
   free_.clear();
+  taken_apart_.clear();
   for (const TriangleId t : apart) {
     if (mesh_.is_free(t)) continue;
+    taken_apart_.push_back(mesh_.mate[t]);
     free_.insert(free_.end(), {t, triangle_of(mesh_.tri.twin[mesh_.mate[t]])});
     mesh_.unpair(t);
   }
@@ -58,6 +63,7 @@ std::vector<TriangleId> MendWalker::walk(std::span<const TriangleId> apart) {
   crossed_ = false;
   walk_convexly();
   walk_deeply();
+  if (is_large()) rejoin_halves();
   walk_anyhow();
   return std::move(changed_);
 }
@@ -92,10 +98,20 @@ void MendWalker::walk_deeply() {
   }
 }
 
+/// Halves of a bad quad that are both free have not moved.
+void MendWalker::rejoin_halves() {
+  for (const HalfedgeId h : taken_apart_) {
+    if (mesh_.is_free(triangle_of(h)) && mesh_.is_free(triangle_of(mesh_.tri.twin[h])))
+      mesh_.pair(h);
+  }
+}
+
 void MendWalker::walk_anyhow() {
   // In large meshes the others are too far for a search without an aim.
   if (!is_large()) sweep([&](TriangleId t) { quick_.merge(t, WalkQuads::kAny, kNear); });
   quick_.merge_far(free_, kFar);
+  sweep([](TriangleId) {});
+  if (free_.size() <= 1) return;  // the odd one, which would look for another in all of the mesh
   for (const WalkLimits& limits : kLastRounds) {
     sweep([&](TriangleId t) { walker_.merge(t, limits); });
   }

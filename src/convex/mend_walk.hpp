@@ -33,6 +33,7 @@ class MendWalker {
   bool is_large() const;
   void walk_convexly();
   void walk_deeply();
+  void rejoin_halves();
   void walk_anyhow();
 
   quadrangulate::PairedMesh& mesh_;
@@ -40,6 +41,7 @@ class MendWalker {
   quadrangulate::Walker walker_;
   quadrangulate::SteinerCrossing crossing_;
   std::function<void(std::span<const TriangleId>)> touch_;
+  std::vector<HalfedgeId> taken_apart_;  // the inner halfedge of each quad
   std::vector<TriangleId> free_;
   std::vector<TriangleId> changed_;
   bool crossed_ = false;
