@@ -5,6 +5,8 @@
 //   1. find_poor   the quads with a poor shape; slides between two others hardly ever gain
 //   2. try_edges   of each of them, and of the quads of each slide, until none is left
 //
+// Large meshes: within ranges of the faces, on several threads, then from the poor quads at their borders on.
+//
 // Shapes are those of squareness.hpp; a quad that is not strictly convex, exactly, is worse than the
 // worst one that is, so that a slide that mends one is always a gain. Each is computed once, kept by
 // triangle. Near-linear in practice.
@@ -12,8 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "kernel/squareness.hpp"
 
 namespace quadloom::quadrangulate {
@@ -96,8 +101,11 @@ HalfedgeId set_quad(PairedMesh& mesh, QuadPair<PairedMesh>& hexagon,
 template <class Mesh>
 class Slider {
  public:
-  explicit Slider(Mesh& mesh)
-      : mesh_(mesh), worth_(mesh.face_count(), kUnknown), waiting_(mesh.face_count(), 0) {}
+  explicit Slider(Mesh& mesh, const FaceRange& range = {})
+      : mesh_(mesh),
+        range_(range),
+        worth_(range.size(mesh.face_count()), kUnknown),
+        waiting_(worth_.size(), 0) {}
 
   /// Looks at the face's quad, which goes to the list if it is poor.
   void find_poor(std::uint32_t face) {
@@ -107,25 +115,33 @@ class Slider {
     while (!todo_.empty()) {
       const std::uint32_t face = todo_.back();
       todo_.pop_back();
-      waiting_[face] = 0;
+      waiting_[face - range_.begin] = 0;
+      if (!mesh_.may_change(face, range_)) {
+        at_border_.push_back(face);
+        continue;
+      }
+      met_border_ = false;
       for (const HalfedgeId edge : mesh_.sides_of_quad(face)) try_edge(edge);
+      if (met_border_) at_border_.push_back(face);
     }
     return slides_;
   }
   const std::vector<std::uint32_t>& touched() const { return touched_; }
+  /// Poor ones at the border of the range, of which not all edges were looked at.
+  const std::vector<std::uint32_t>& at_border() const { return at_border_; }
 
  private:
   float worth_of(std::uint32_t face) {
-    if (worth_[face] != kUnknown) return worth_[face];
+    if (worth_[face - range_.begin] != kUnknown) return worth_[face - range_.begin];
     const std::array<VertexId, 4> corner = mesh_.corners_of_quad(face);
     const auto at = [&](std::size_t i) { return mesh_.point(corner[i]); };
     const float now = worth(at(0), at(1), at(2), at(3));
-    for (const std::uint32_t slot : mesh_.slots_of_quad(face)) worth_[slot] = now;
+    for (const std::uint32_t slot : mesh_.slots_of_quad(face)) worth_[slot - range_.begin] = now;
     return now;
   }
   void wait(std::uint32_t face) {
-    if (waiting_[face] != 0) return;
-    waiting_[face] = 1;
+    if (waiting_[face - range_.begin] != 0) return;
+    waiting_[face - range_.begin] = 1;
     todo_.push_back(face);
   }
 
@@ -135,10 +151,19 @@ class Slider {
     const HalfedgeId twin = mesh_.twin(edge);
     if (twin == kNone) return;
     const std::uint32_t face = Mesh::face_of(edge), other = Mesh::face_of(twin);
+    if (!range_.has(other)) {
+      met_border_ = true;
+      return;
+    }
     // If the neighbour waits too, the edge is looked at from there, when it is its turn.
-    if (waiting_[other] != 0 || mesh_.is_free(other) || mesh_.is_inside(edge)) return;
+    if (waiting_[other - range_.begin] != 0 || mesh_.is_free(other) || mesh_.is_inside(edge))
+      return;
     const float mine = worth_of(face), theirs = worth_of(other);
     if (std::min(mine, theirs) >= kPoor || mine + theirs >= kEnough) return;
+    if (!mesh_.may_change(face, range_) || !mesh_.may_change(other, range_)) {
+      met_border_ = true;
+      return;
+    }
     slide_if_better(edge, mine + theirs);
   }
 
@@ -163,15 +188,18 @@ class Slider {
     part_anew(mesh_, hexagon, parting);
     ++slides_;
     touched_.insert(touched_.end(), hexagon.slot.begin(), hexagon.slot.end());
-    for (const std::uint32_t touched : hexagon.slot) worth_[touched] = kUnknown;
+    for (const std::uint32_t touched : hexagon.slot) worth_[touched - range_.begin] = kUnknown;
     for (const std::uint32_t touched : hexagon.slot) wait(touched);
   }
 
   Mesh& mesh_;
-  std::vector<float> worth_;  // of the face's quad
+  const FaceRange range_;
+  std::vector<float> worth_;  // of the face's quad, from the range's begin on, as the next
   std::vector<char> waiting_;
   std::vector<std::uint32_t> todo_;
   std::vector<std::uint32_t> touched_;  // by slides
+  std::vector<std::uint32_t> at_border_;
+  bool met_border_ = false;
   std::size_t slides_ = 0;
 };
 
@@ -182,6 +210,23 @@ std::size_t slide_all(Mesh& mesh) {
     slider.find_poor(face);
   }
   return slider.run();
+}
+
+/// Within each range, on several threads, then at their borders.
+std::size_t slide_in_ranges(QuadMesh& mesh, std::span<const FaceRange> ranges) {
+  std::vector<std::vector<FaceId>> at_border(ranges.size());
+  std::vector<std::size_t> slides(ranges.size());
+  parallel_tasks(ranges.size(), [&](std::size_t i) {
+    Slider<QuadMesh> slider(mesh, ranges[i]);
+    for (FaceId face = ranges[i].end; face-- > ranges[i].begin;) slider.find_poor(face);
+    slides[i] = slider.run();
+    at_border[i] = slider.at_border();
+  });
+  Slider<QuadMesh> slider(mesh);
+  for (const std::vector<FaceId>& list : at_border) {
+    for (const FaceId face : list) slider.find_poor(face);
+  }
+  return std::accumulate(slides.begin(), slides.end(), slider.run());
 }
 
 }  // namespace
@@ -211,7 +256,10 @@ void part_anew(QuadMesh& mesh, QuadPair<QuadMesh>& hexagon, std::size_t first) {
 }
 
 std::size_t slide_diagonals(PairedMesh& mesh) { return slide_all(mesh); }
-std::size_t slide_diagonals(QuadMesh& mesh) { return slide_all(mesh); }
+std::size_t slide_diagonals(QuadMesh& mesh) {
+  const std::vector<FaceRange> ranges = face_ranges(mesh.face_count());
+  return ranges.empty() ? slide_all(mesh) : slide_in_ranges(mesh, ranges);
+}
 
 std::size_t slide_diagonals_at(PairedMesh& mesh, std::vector<TriangleId>& triangles) {
   Slider<PairedMesh> slider(mesh);

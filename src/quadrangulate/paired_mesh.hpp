@@ -7,6 +7,7 @@
 #include "kernel/chart.hpp"
 #include "kernel/squareness.hpp"
 #include "quadloom/quadrangulate.hpp"
+#include "quadrangulate/face_range.hpp"
 
 namespace quadloom::quadrangulate {
 
@@ -30,6 +31,8 @@ struct PairedMesh {
     return {next_halfedge(mate[t]), previous_halfedge(mate[t])};
   }
   bool is_inside(HalfedgeId h) const { return mate[triangle_of(h)] == h; }
+  /// Passes go over all of such a mesh.
+  static bool may_change(TriangleId, const FaceRange&) { return true; }
   std::array<VertexId, 4> corners_of_quad(TriangleId t) const {
     const HalfedgeId h = mate[t];
     return {tri.origin(h), tri.apex(tri.twin[h]), tri.target(h), tri.apex(h)};

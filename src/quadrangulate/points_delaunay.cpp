@@ -15,6 +15,9 @@
 //   6. walk_together      what these searches do not bring together, if anything
 //   7. slide_diagonals    hill climb on shape, see diagonal_slides.hpp
 //
+// Large meshes: steps 3 and 7 go over ranges of the faces on several threads, then over what is at their borders
+// (face_range.hpp). The ranges depend on the mesh alone, and so does the result.
+//
 // Steps 3, 5 and 7 see all of the mesh and work on one record a quad (quad_mesh.hpp), the others on triangles.
 //
 // Degenerate input: all decisions are the kernel's exact predicates; collinear hull points are hull
@@ -57,19 +60,18 @@ void walk_in_pairs(QuadMesh& mesh, PointStatistics& statistics, Walk walk) {
 
 /// Returns how many free triangles are left.
 std::size_t walk(QuadMesh& mesh, PointStatistics& statistics, const Progress& progress) {
-  QuickWalker quick(mesh);
-  walk_convexly(quick, mesh, progress);
+  const WalkCounts near = walk_convexly(mesh, progress);
   if (mesh.face_count() < kSmall && free_triangles(mesh).size() > 1) {
     walk_in_pairs(mesh, statistics, walk_deeply);
   }
-  walk_anyhow(quick, mesh);
+  const WalkCounts far = walk_anyhow(mesh);
   if (free_triangles(mesh).size() > 1) {
     walk_in_pairs(mesh, statistics, [&](Walker& walker, const PairedMesh& paired) {
       walk_together(walker, paired, kLastPlanarRounds, progress);
     });
   }
-  statistics.walks += quick.walks();
-  statistics.walk_steps += quick.steps();
+  statistics.walks += near.walks + far.walks;
+  statistics.walk_steps += near.steps + far.steps;
   return free_triangles(mesh).size();
 }
 

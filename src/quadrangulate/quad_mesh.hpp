@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadrangulate/face_range.hpp"
 #include "quadrangulate/paired_mesh.hpp"
 
 namespace quadloom::quadrangulate {
@@ -61,6 +62,15 @@ struct QuadMesh {
   }
   /// Makes the two free triangles at h one quad, in the place of that of h.
   void pair(HalfedgeId h);
+
+  /// Whether the face and its neighbours are in the range. To change a face writes to its neighbours; so passes that
+  /// change such faces alone, and look at their neighbours at most, may go over several ranges at once.
+  bool may_change(FaceId f, const FaceRange& range) const {
+    if (range.is_all()) return true;
+    bool inside = range.has(f);
+    for (const HalfedgeId h : faces[f].twin) inside = inside && (h == kNone || range.has(h / 4));
+    return inside;
+  }
 };
 
 inline QuadMesh::Behind quad_behind(const QuadMesh&, HalfedgeId enter) {

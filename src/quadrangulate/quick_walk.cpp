@@ -97,7 +97,15 @@ bool meet_convexly(Point a, Point b, Point c, Point d) {
 }  // namespace
 
 template <class Mesh>
+bool QuickWalker<Mesh>::may_change(std::uint32_t face) {
+  const bool may = mesh_.may_change(face, range_);
+  met_border_ = met_border_ || !may;
+  return may;
+}
+
+template <class Mesh>
 bool QuickWalker<Mesh>::merge_over_quad(TriangleId start) {
+  if (!may_change(start)) return false;
   start_ = start;
   OverQuad best{kNoWalk};
   for (const HalfedgeId h : Mesh::sides_of_free(start)) try_over(h, best);
@@ -109,14 +117,16 @@ bool QuickWalker<Mesh>::merge_over_quad(TriangleId start) {
 }
 
 template <class Mesh>
-void QuickWalker<Mesh>::try_over(HalfedgeId exit, OverQuad& best) const {
+void QuickWalker<Mesh>::try_over(HalfedgeId exit, OverQuad& best) {
   const HalfedgeId enter = mesh_.twin(exit);
   if (enter == kNone || mesh_.is_free(Mesh::face_of(enter))) return;
   const auto quad = quad_behind(mesh_, enter);
+  if (!may_change(quad.name())) return;
   for (std::size_t side = 0; side < 3; ++side) {
     const HalfedgeId met = mesh_.twin(quad.side[side]);
     if (met == kNone || !mesh_.is_free(Mesh::face_of(met)) || Mesh::face_of(met) == start_)
       continue;
+    if (!may_change(Mesh::face_of(met))) continue;
     const Pentagon pentagon(mesh_, mesh_.origin(exit), mesh_.origin(enter), mesh_.apex(exit), quad);
     if (pentagon.wrapped()) return;
     // The edge to the free triangle goes from corner k to the next; one of the two is the ear.
@@ -137,7 +147,7 @@ template <class Mesh>
 bool QuickWalker<Mesh>::merge(TriangleId start, WalkQuads quads, std::size_t nodes) {
   start_ = start;
   quads_ = quads;
-  if (!search(nodes)) return false;
+  if (!may_change(start) || !search(nodes)) return false;
   apply(goal_);
   mesh_.pair(met_);
   ++walks_;
@@ -188,6 +198,7 @@ std::uint32_t QuickWalker<Mesh>::cost_to_aim(const Node& node) const {
 
 template <class Mesh>
 bool QuickWalker<Mesh>::merge_after_slide(TriangleId start, std::size_t nodes) {
+  if (!may_change(start)) return false;
   for (const HalfedgeId h : Mesh::sides_of_free(start)) {
     if (mesh_.twin(h) == kNone || mesh_.is_free(Mesh::face_of(mesh_.twin(h)))) continue;
     start_ = start;
@@ -202,6 +213,7 @@ template <class Mesh>
 bool QuickWalker<Mesh>::try_slides(HalfedgeId edge, std::size_t nodes) {
   const HalfedgeId beyond = mesh_.twin(edge);
   if (beyond == kNone || mesh_.is_free(Mesh::face_of(beyond))) return false;
+  if (!may_change(Mesh::face_of(edge)) || !may_change(Mesh::face_of(beyond))) return false;
   auto pair = quad_pair_at(mesh_, edge);
   if (!pair.simple) return false;
   const auto convex = [&](std::size_t first) {
@@ -224,7 +236,7 @@ bool QuickWalker<Mesh>::try_slides(HalfedgeId edge, std::size_t nodes) {
 
 template <class Mesh>
 bool QuickWalker<Mesh>::search(std::size_t nodes) {
-  search_of_.resize(mesh_.face_count());
+  search_of_.resize(range_.size(mesh_.face_count()));
   ++searches_;
   nodes_.clear();
   bucket_.fill(kNone);
@@ -271,9 +283,10 @@ void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
   const Node node = nodes_[from];
   const HalfedgeId enter = node.beyond[i];
   const auto quad = quad_behind(mesh_, enter);
-  std::uint32_t& search = search_of_[quad.name()];
+  std::uint32_t& search = search_of_[quad.name() - range_.begin];
   if (search == searches_) return;
   search = searches_;
+  if (!may_change(quad.name())) return;
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   const Pentagon pentagon(mesh_, node.corner[i], node.corner[j], node.corner[k], quad);
   if (pentagon.wrapped()) return;
@@ -320,7 +333,7 @@ bool QuickWalker<Mesh>::leads_on(const Node& node) const {
   for (const HalfedgeId enter : node.beyond) {
     if (enter == kNone) continue;
     if (mesh_.is_free(Mesh::face_of(enter))) return true;
-    if (search_of_[quad_behind(mesh_, enter).name()] != searches_) return true;
+    if (search_of_[quad_behind(mesh_, enter).name() - range_.begin] != searches_) return true;
   }
   return false;
 }
@@ -348,6 +361,7 @@ void QuickWalker<Mesh>::try_goals(std::uint32_t from) {
     if (enter == kNone || !mesh_.is_free(Mesh::face_of(enter)) || Mesh::face_of(enter) == start_) {
       continue;
     }
+    if (!may_change(Mesh::face_of(enter))) continue;
     const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
     const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.apex(enter));
     std::uint32_t cost = node.cost;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "quadrangulate/quad_mesh.hpp"
@@ -13,11 +14,12 @@
 namespace quadloom::quadrangulate {
 
 /// Walks as in walk.hpp, for planar meshes and between free triangles alone. A search takes the first
-/// free triangle that it meets, and passes a quad once. Mesh is a PairedMesh or a QuadMesh.
+/// free triangle that it meets, and passes a quad once. Mesh is a PairedMesh or a QuadMesh, of which a walker may be kept
+/// to a range: it looks at no more than the range, and changes what is not at its border.
 template <class Mesh>
 class QuickWalker {
  public:
-  explicit QuickWalker(Mesh& mesh) : mesh_(mesh) {}
+  explicit QuickWalker(Mesh& mesh, const FaceRange& range = {}) : mesh_(mesh), range_(range) {}
 
   /// The best-shaped walk of the free triangle through one quad to another one, strictly convex quads left
   /// behind; pairs them. False, and nothing changed, if there is none.
@@ -28,6 +30,9 @@ class QuickWalker {
 
   /// Whether the last search ended for want of moves, not of nodes.
   bool locked() const { return goal_ == kNone && nodes_.size() < most_nodes_; }
+
+  /// Whether a search came to the border of the range, beyond which there may be more, since this was last asked.
+  bool take_met_border() { return std::exchange(met_border_, false); }
 
   /// Slides an edge between two quads near the triangle, quads that are strictly convex as before, so that there
   /// is a walk. If there is none, all is as before.
@@ -64,9 +69,10 @@ class QuickWalker {
   /// No move costs as much as the ring is long, so that the costs waiting fit in one turn of it.
   static constexpr std::uint32_t kRing = 128;
 
+  bool may_change(std::uint32_t face);
   bool aim_at_nearest(std::span<const TriangleId> others);
   std::uint32_t cost_to_aim(const Node& node) const;
-  void try_over(HalfedgeId exit, OverQuad& best) const;
+  void try_over(HalfedgeId exit, OverQuad& best);
   bool search(std::size_t nodes);
   std::uint32_t pop();
   void expand(std::uint32_t from);
@@ -79,6 +85,8 @@ class QuickWalker {
   void step(HalfedgeId enter, int ear);
 
   Mesh& mesh_;
+  const FaceRange range_;
+  bool met_border_ = false;
   TriangleId start_ = kNone;
   WalkQuads quads_ = WalkQuads::kStrictlyConvex;
   std::vector<Node> nodes_;
@@ -89,7 +97,7 @@ class QuickWalker {
   double cost_of_length_ = 0;                       // of the way to the aim; 0: no aim
   std::uint32_t goal_ = kNone, goal_cost_ = kNone;  // the cheapest node that meets a free triangle
   HalfedgeId met_ = kNone;
-  std::vector<std::uint32_t> search_of_;  // by quad: the last search that passed it
+  std::vector<std::uint32_t> search_of_;  // by quad of the range: the last search that passed it
   std::uint32_t searches_ = 0;
   std::size_t walks_ = 0;
   std::size_t steps_ = 0;

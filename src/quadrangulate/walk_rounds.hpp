@@ -47,14 +47,18 @@ inline constexpr WalkLimits kSurfaceRounds[] = {
     {WalkQuads::kAny, 10'000, 2, 0.94},           {WalkQuads::kAny, 10'000, 2, 0.7},
 };
 
+struct WalkCounts {
+  std::size_t walks = 0, steps = 0;
+};
+
 /// Brings free triangles together that have a short way through strictly convex quads; the best-shaped way if
-/// there is one through one quad.
-void walk_convexly(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh, const Progress& progress);
+/// there is one through one quad. Large meshes on several threads.
+WalkCounts walk_convexly(QuadMesh& mesh, const Progress& progress);
 /// The same by thorough searches, as long as they cost next to nothing: rows of points lock many triangles.
 void walk_deeply(Walker& walker, const PairedMesh& mesh);
 /// Brings free triangles together, leaving any quads behind: all but one, or some that only kLastPlanarRounds find a way
 /// for.
-void walk_anyhow(QuickWalker<QuadMesh>& quick, const QuadMesh& mesh);
+WalkCounts walk_anyhow(QuadMesh& mesh);
 
 /// In each round every triangle that is still free looks for another within the round's limits.
 /// Returns how many are free at the end.

@@ -135,10 +135,9 @@ TEST(QuickWalk, TheSweepsLeaveNextToNothing) {
     for (const std::string& kind : kKinds) {
       SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
       QuadMesh mesh = to_quad_mesh(greedily_paired(generate_points(kind, 200, seed)));
-      QuickWalker quick(mesh);
-      walk_convexly(quick, mesh, {});
+      walk_convexly(mesh, {});
       EXPECT_EQ(not_strictly_convex(pairs_of(mesh)), 0U);
-      walk_anyhow(quick, mesh);
+      walk_anyhow(mesh);
       const std::size_t free = free_triangles(mesh).size();
       testing::check_paired_mesh(pairs_of(mesh), free);
       if (::testing::Test::HasFailure()) return;
