@@ -27,6 +27,8 @@ namespace {
 // new start for after a point that was put off: without legs twice as many are.
 constexpr std::uint32_t kRanges = 8;
 constexpr std::uint32_t kLegs = 32;  // of each range
+/// Where more than half of the points are put off, as where they lie on rows, the rest is put off untried.
+constexpr std::size_t kFewPutOff = 100;
 
 /// A point by its place in the order, and a triangle near it, or kNone.
 struct PutOff {
@@ -47,6 +49,7 @@ class RangedRound {
   void find_seeds();
   std::vector<PutOff> insert_range(std::uint32_t begin, std::uint32_t end) const;
   std::vector<PutOff> insert_ranges() const;
+  bool is_nearer(std::uint32_t near, std::uint32_t p, std::uint32_t before) const;
   void insert_rest(std::span<const PutOff> rest, DelaunayInserter& anywhere) const;
 
  private:
@@ -85,7 +88,8 @@ std::vector<PutOff> RangedRound::insert_range(std::uint32_t begin, std::uint32_t
   DelaunayInserter within(mesh_, begin, end);
   bool started = false, inserted = false;
   std::uint32_t next_leg = begin;
-  for (std::size_t i = place_of(begin), stop = place_of(end); i < stop; ++i) {
+  const std::size_t first = place_of(begin), last = place_of(end);
+  for (std::size_t i = first; i < last; ++i) {
     const std::uint32_t p = order_[i];
     if (p >= next_leg) {
       const std::uint32_t leg = p / leg_;
@@ -95,9 +99,11 @@ std::vector<PutOff> RangedRound::insert_range(std::uint32_t begin, std::uint32_t
         started = true;
       }
     }
-    inserted = started && within.insert_within(p, DelaunayMesh::triangles_of(i));
+    const bool in_vain = put_off.size() > kFewPutOff + (i - first) / 2;
+    inserted = started && !in_vain && within.insert_within(p, DelaunayMesh::triangles_of(i));
     if (inserted) continue;
-    put_off.push_back({static_cast<std::uint32_t>(i), started ? within.stopped_at() : kNone});
+    put_off.push_back(
+        {static_cast<std::uint32_t>(i), started && !in_vain ? within.stopped_at() : kNone});
   }
   return put_off;
 }
@@ -128,15 +134,30 @@ void RangedRound::prefetch_points(const PutOff& p) const {
   }
 }
 
+/// Whether the walk to p should start at the triangle `near`, not at the point before: on rows of points a range puts off
+/// nearly all, and the triangle where it stopped may be far from them.
+bool RangedRound::is_nearer(std::uint32_t near, std::uint32_t p, std::uint32_t before) const {
+  if (near == kNone || mesh_.is_ghost(mesh_.triangles[near])) return false;
+  if (before == kNone) return true;
+  const auto distance = [&](std::uint32_t v) {
+    const double x = mesh_.points[v].x - mesh_.points[p].x;
+    const double y = mesh_.points[v].y - mesh_.points[p].y;
+    return x * x + y * y;
+  };
+  return distance(mesh_.triangles[near].v[0]) < distance(before);
+}
+
 // They lie farther apart than others, so the memory of the next ones is fetched ahead.
 void RangedRound::insert_rest(std::span<const PutOff> rest, DelaunayInserter& anywhere) const {
   constexpr std::size_t kAhead = 4;
+  std::uint32_t before = kNone;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (i + 2 * kAhead < rest.size()) prefetch_triangle(rest[i + 2 * kAhead]);
     if (i + kAhead < rest.size()) prefetch_points(rest[i + kAhead]);
     const auto [place, near] = rest[i];
-    if (near != kNone && !mesh_.is_ghost(mesh_.triangles[near])) anywhere.start_at(near);
+    if (is_nearer(near, order_[place], before)) anywhere.start_at(near);
     anywhere.insert(order_[place], DelaunayMesh::triangles_of(place));
+    before = order_[place];
   }
 }
 

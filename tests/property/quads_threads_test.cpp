@@ -31,7 +31,7 @@ TEST(QuadsThreads, RangesAreAllFacesOnce) {
 }
 
 TEST(QuadsThreads, TheSameBytes) {
-  for (const char* kind : {"uniform", "clusters", "rotated-grid", "towns-like"}) {
+  for (const char* kind : {"uniform", "clusters", "jittered-grid", "towns-like"}) {
     SCOPED_TRACE(std::string(kind) + " 200,000, seed 3");
     const std::vector<Point> points = generate_points(kind, kMany, 3);
     const PointResult one = on_threads(1, [&] { return quadrangulate_points(points); });
