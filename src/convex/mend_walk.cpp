@@ -2,7 +2,7 @@
 //   1. walk_convexly   cheap searches that leave strictly convex quads, with the quads around as they are, or one
 //                      edge between two of them slid (quick_walk.hpp)
 //   2. walk_deeply     thorough ones (walk.hpp), as long as their budget lasts
-//   3. rejoin_halves   large meshes: halves that are both left over are a quad again; a way to others, by quads that are
+//   3. rejoin_halves   very large meshes: halves that are both left over are a quad again; a way to others, by quads that are
 //                      bad as well, would be long
 //   4. walk_anyhow     the others pair up by any quads, which are bad again but elsewhere; where walks are stuck
 //                      (narrow corridors) the steps of crossings that need no point go on
@@ -63,7 +63,7 @@ std::vector<TriangleId> MendWalker::walk(std::span<const TriangleId> apart) {
   crossed_ = false;
   walk_convexly();
   walk_deeply();
-  if (is_large()) rejoin_halves();
+  if (mesh_.mate.size() > kThriftyMesh) rejoin_halves();
   walk_anyhow();
   return std::move(changed_);
 }

@@ -10,8 +10,9 @@
 
 namespace quadloom::convex {
 
-inline constexpr std::size_t kLargeMesh = 100'000;  // triangles
-inline constexpr std::size_t kFewBad = 100;         // of so many triangles, one
+inline constexpr std::size_t kLargeMesh = 100'000;    // triangles
+inline constexpr std::size_t kThriftyMesh = 500'000;  // where each bad quad gets less effort
+inline constexpr std::size_t kFewBad = 100;           // of so many triangles, one
 
 class Mending {
  public:
@@ -32,7 +33,7 @@ class Mending {
   /// Few quads of a large mesh are bad: less effort is spent on each, so that mending takes less than the triangulation
   /// did, for a tenth more points added.
   bool is_thrifty() const {
-    return mesh.mate.size() > kLargeMesh && bad.size() < mesh.mate.size() / kFewBad;
+    return mesh.mate.size() > kThriftyMesh && bad.size() < mesh.mate.size() / kFewBad;
   }
   /// Small meshes have seen all there is to try soon.
   std::size_t tries_at_most() const { return mesh.mate.size() * mesh.mate.size() / 8; }

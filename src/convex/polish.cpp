@@ -22,7 +22,7 @@ using quadrangulate::QuadKind;
 namespace {
 
 constexpr double kPoor = 0.25;  // squareness; about 68% of random quads are better
-constexpr int kRounds = 3, kRoundsIfLarge = 1;
+constexpr int kRounds = 3, kRoundsIfThrifty = 1;
 constexpr double kVeryPoor = 0.05;  // where so many are to be polished that not all tries are made
 constexpr std::size_t kMostTries = 6;
 constexpr std::size_t kClusters = 10'000;  // looked at in the first round, about
@@ -57,7 +57,7 @@ double cost_of(const PairedMesh& mesh, const Cluster& cluster) {
 void polish_quads(PairedMesh& mesh, std::vector<TriangleId> triangles, Random& random) {
   ClusterGrower grower(mesh);
   std::vector<TriangleId> none_spare;  // counts stay
-  const int rounds = mesh.mate.size() > kLargeMesh ? kRoundsIfLarge : kRounds;
+  const int rounds = mesh.mate.size() > kThriftyMesh ? kRoundsIfThrifty : kRounds;
   for (int round = 0; round < rounds; ++round) {
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());

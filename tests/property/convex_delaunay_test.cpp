@@ -73,6 +73,14 @@ TEST(ConvexDelaunay, LargeSets) {
   EXPECT_LE(rows.steiner.size(), 26'000U);  // n / 2, a third of the spiral's bound
 }
 
+// Here less effort goes into each bad quad.
+TEST(ConvexDelaunay, VeryLargeSets) {
+  const ConvexResult uniform =
+      convex_checked(generate_points("uniform", 260'000, 6), OddBoundary::kTriangle);
+  EXPECT_TRUE(uniform.not_convex.empty());
+  EXPECT_LE(uniform.steiner.size(), 130U);  // n / 2,000
+}
+
 TEST(ConvexDelaunay, TheSameSeedTheSameMesh) {
   const auto points = generate_points("lines", 400, 2);
   const auto first = convex_quadrangulation(points), second = convex_quadrangulation(points);
