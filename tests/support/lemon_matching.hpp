@@ -1,4 +1,4 @@
-// LEMON's matchings, for tests and benchmarks alone.
+// LEMON's matchings, for tests alone.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,11 @@ struct LemonEdge {
   std::int32_t weight;
 };
 
-/// The size and weight of a matching, and the processor's seconds for the algorithm, the building of
-/// LEMON's graph excluded. `found` is false if there is no perfect matching.
+/// The size and weight of a matching. `found` is false if there is no perfect matching.
 struct LemonResult {
   bool found = true;
   std::size_t size = 0;
   std::int64_t weight = 0;
-  double seconds = 0;
 };
 
 LemonResult lemon_maximum(std::size_t nodes, const std::vector<LemonEdge>& edges);
