@@ -12,6 +12,16 @@ APP = os.path.abspath(os.environ.get("QUADLOOM_APP", "quadloom"))
 SQUARE = "0 0\n2 0\n2 2\n0 2\n0.5 1\n1.25 0.75\n"
 TRIANGLE = "0 0\n4 0\n0 4\n1 1\n"  # an odd hull
 
+CHAIN = [  # a command of each kind, from points.xyz and the files of those before; the last word is the file that it writes
+    ["quadrangulate", "points.xyz", "-o", "quads.obj"],
+    ["quadrangulate", "points.xyz", "--method", "spiral", "-o", "spiral.obj"],
+    ["quadrangulate", "points.xyz", "--convex", "-o", "convex.vtu"],
+    ["triangulate", "points.xyz", "-o", "triangles.off"],
+    ["quadrangulate", "triangles.off", "-o", "of-triangles.ply"],
+    ["strip", "triangles.off", "-o", "triangles.strip"],
+    ["polygonize", "points.xyz", "-o", "polygon.geojson"],
+]
+
 
 class CommandLine(unittest.TestCase):
     def setUp(self):

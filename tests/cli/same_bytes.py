@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Two builds of the command line, of different compilers, say, write the same bytes. Prints what differs.
+"""Two builds of the command line, of different compilers, say, write the same bytes. Says what differs or fails.
 
     same_bytes.py QUADLOOM OTHER_QUADLOOM
 """
@@ -8,35 +8,28 @@ import subprocess
 import sys
 import tempfile
 
+from harness import CHAIN
+
 KINDS = ["uniform", "grid", "circle", "lines", "decades"]
 SIZE = "1500"
 LARGE = "70000"  # of points, for Delaunay triangles in ranges
-RUNS = [
-    ["quadrangulate", "{points}", "-o", "quads.obj"],
-    ["quadrangulate", "{points}", "--method", "spiral", "-o", "spiral.vtu"],
-    ["quadrangulate", "{points}", "--convex", "-o", "convex.obj"],
-    ["triangulate", "{points}", "-o", "triangles.off"],
-    ["quadrangulate", "triangles.off", "-o", "of-triangles.ply"],
-    ["strip", "triangles.off", "-o", "triangles.strip"],
-    ["polygonize", "{points}", "-o", "polygon.geojson"],
-]
+
+
+def generate(kind, size):
+    return ["generate", kind, "-n", size, "-o", "points.xyz"]
 
 
 def outputs(program, folder):
-    """{what was run: what it wrote}"""
-    def run(*arguments):
-        done = subprocess.run([program, *arguments], cwd=folder, capture_output=True)
-        return done.returncode, done.stderr
-
+    """{command: what it said and wrote}"""
     found = {}
-    for kind in KINDS:
-        points = f"{kind}.xyz"
-        found[f"generate {kind}"] = run("generate", kind, "-n", SIZE, "-o", points), (folder / points).read_bytes()
-        for command in RUNS:
-            done = run(*(part.format(points=points) for part in command))
-            found[f"{kind}: {' '.join(command)}"] = done, (folder / command[-1]).read_bytes()
-    run("generate", "uniform", "-n", LARGE, "-o", "large.xyz")
-    found["large"] = run("triangulate", "large.xyz", "-o", "large.off"), (folder / "large.off").read_bytes()
+    for commands in [*([generate(kind, SIZE), *CHAIN] for kind in KINDS),
+                     [generate("uniform", LARGE), ["triangulate", "points.xyz", "-o", "large.off"]]]:
+        for command in commands:
+            done = subprocess.run([program, *command], cwd=folder, capture_output=True, text=True)
+            if done.returncode != 0:
+                sys.exit(f"{program} {' '.join(command)}: {done.stderr}")
+            name = f"{' '.join(command)}, of {commands[0][1]} {commands[0][3]}"
+            found[name] = done.stderr, (folder / command[-1]).read_bytes()
     return found
 
 

@@ -1,22 +1,12 @@
 """The files that a command writes are the same bytes on any number of threads."""
 
-from harness import CommandLine, main
-
-RUNS = [  # verb and options; the output follows
-    ["quadrangulate", "points.xyz", "-o", "mesh.obj"],
-    ["quadrangulate", "points.xyz", "--method", "spiral", "-o", "mesh.obj"],
-    ["quadrangulate", "points.xyz", "--convex", "-o", "mesh.vtu"],
-    ["triangulate", "points.xyz", "-o", "mesh.off"],
-    ["quadrangulate", "triangles.off", "-o", "mesh.ply"],
-    ["strip", "triangles.off", "-o", "mesh.strip"],
-]
+from harness import CHAIN, CommandLine, main
 
 
 class Threads(CommandLine):
     def test_the_same_bytes(self):
         self.succeeds("generate", "clusters", "-n", "100000", "--seed", "5", "-o", "points.xyz")
-        self.succeeds("triangulate", "points.xyz", "-o", "triangles.off", "--threads", "1")
-        for run in RUNS:
+        for run in CHAIN:
             written = []
             for threads in ["1", "2", "4"]:
                 self.succeeds(*run, "--threads", threads)
