@@ -3,7 +3,7 @@
 //   PROGRAM TASK INPUT [RESULT]
 //
 // INPUT and RESULT are names without endings: INPUT.points, RESULT.quads and so on are files of doubles as they are in
-// memory (inputs.cpp says which there are). The program reads its input, runs the task, writes what came out if RESULT
+// memory (raw_meshes.hpp says which there are). The program reads its input, runs the task, writes what came out if RESULT
 // is given, and prints one line of JSON: seconds, bytes, and figures of its own.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Quadloom's functions for bench/compare; the tasks are the names in kTasks, on one thread, or on N as TASK@N. All results are what the library gives:
-// indexed meshes, repeated points merged.
+// Quadloom's functions for bench/compare; the tasks are the names in kTasks and kFileTasks, on one thread, or on N as
+// TASK@N. All results are what the library gives: indexed meshes, repeated points merged.
 #include <filesystem>
 #include <map>
 #include <utility>
