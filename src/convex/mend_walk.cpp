@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "convex/mending.hpp"
+#include "quadrangulate/walk_rounds.hpp"
 
 namespace quadloom::convex {
 
@@ -21,7 +22,8 @@ using quadrangulate::WalkQuads;
 namespace {
 
 /// Bad quads are rare in large meshes, and what locks a triangle is seldom far from it.
-constexpr std::size_t kNear = 1'000;  // nodes of a search
+constexpr std::size_t kLarge = 100'000;  // triangles
+constexpr std::size_t kNear = 1'000;     // nodes of a search
 constexpr std::size_t kNearIfLarge = 300;
 constexpr std::size_t kAfterSlide = 200;
 /// Nodes of thorough searches, for each walk(); what is left over adds up.
@@ -48,7 +50,7 @@ MendWalker::MendWalker(quadrangulate::PairedMesh& mesh,
   };
 }
 
-bool MendWalker::is_large() const { return mesh_.mate.size() > kLargeMesh; }
+bool MendWalker::is_large() const { return mesh_.mate.size() > kLarge; }
 
 std::vector<TriangleId> MendWalker::walk(std::span<const TriangleId> apart) {
   free_.clear();
@@ -73,6 +75,10 @@ void MendWalker::sweep(Merge merge) {
   for (const TriangleId t : free_) {
     if (mesh_.is_free(t)) merge(t);
   }
+  forget_paired();
+}
+
+void MendWalker::forget_paired() {
   free_.erase(
       std::remove_if(free_.begin(), free_.end(), [&](TriangleId t) { return !mesh_.is_free(t); }),
       free_.end());
@@ -110,8 +116,9 @@ void MendWalker::walk_anyhow() {
   // In large meshes the others are too far for a search without an aim.
   if (!is_large()) sweep([&](TriangleId t) { quick_.merge(t, WalkQuads::kAny, kNear); });
   quick_.merge_far(free_, kFar);
-  sweep([](TriangleId) {});
-  if (free_.size() <= 1) return;  // the odd one, which would look for another in all of the mesh
+  forget_paired();
+  // The odd one would look for another in all of the mesh, in vain.
+  if (free_.size() <= 1 && quadrangulate::free_triangles(mesh_).size() <= 1) return;
   for (const WalkLimits& limits : kLastRounds) {
     sweep([&](TriangleId t) { walker_.merge(t, limits); });
   }

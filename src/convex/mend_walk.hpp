@@ -30,6 +30,7 @@ class MendWalker {
  private:
   template <typename Merge>
   void sweep(Merge merge);
+  void forget_paired();
   bool is_large() const;
   void walk_convexly();
   void walk_deeply();

@@ -10,9 +10,8 @@
 
 namespace quadloom::convex {
 
-inline constexpr std::size_t kLargeMesh = 100'000;    // triangles
-inline constexpr std::size_t kThriftyMesh = 500'000;  // where each bad quad gets less effort
-inline constexpr std::size_t kFewBad = 100;           // of so many triangles, one
+/// In meshes of more triangles each bad quad gets less effort.
+inline constexpr std::size_t kThriftyMesh = 500'000;
 
 class Mending {
  public:
@@ -30,9 +29,10 @@ class Mending {
     touched.insert(touched.end(), triangles.begin(), triangles.end());
   }
 
-  /// Few quads of a large mesh are bad: less effort is spent on each, so that mending takes less than the triangulation
-  /// did, for a tenth more points added.
+  /// Few quads of a very large mesh are bad: less effort is spent on each, so that mending takes half of the time, for a
+  /// fifth more points added.
   bool is_thrifty() const {
+    constexpr std::size_t kFewBad = 100;  // of so many triangles, one
     return mesh.mate.size() > kThriftyMesh && bad.size() < mesh.mate.size() / kFewBad;
   }
   /// Small meshes have seen all there is to try soon.

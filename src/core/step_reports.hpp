@@ -8,24 +8,26 @@
 
 namespace quadloom {
 
-/// Reports at every so many steps, 4,096 unless told otherwise, how many of all are done. Throws as
-/// report_progress.
+/// Reports at every so many steps how many of all are done, counting from those done
+/// before. Throws as report_progress.
 class StepReports {
  public:
+  static constexpr std::size_t kEvery = 4096;
+
   StepReports(const Progress& progress, std::string_view stage, std::size_t steps,
-              std::size_t every = 4096)
-      : progress_(progress), stage_(stage), steps_(steps), every_(every) {}
+              std::size_t every = kEvery, std::size_t before = 0)
+      : progress_(progress), stage_(stage), steps_(steps), every_(every), before_(before) {}
 
   void operator()() {
     if (done_++ % every_ != 0) return;
-    const double share = static_cast<double>(done_ - 1) / static_cast<double>(steps_);
+    const double share = static_cast<double>(before_ + done_ - 1) / static_cast<double>(steps_);
     report_progress(progress_, stage_, share < 1 ? share : 1);
   }
 
  private:
   const Progress& progress_;
   std::string_view stage_;
-  std::size_t steps_, every_;
+  std::size_t steps_, every_, before_;
   std::size_t done_ = 0;
 };
 

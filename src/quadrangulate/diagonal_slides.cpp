@@ -9,7 +9,7 @@
 //
 // Shapes are those of squareness.hpp; a quad that is not strictly convex, exactly, is worse than the
 // worst one that is, so that a slide that mends one is always a gain. Each is computed once, kept by
-// triangle. Near-linear in practice.
+// face. Near-linear in practice.
 #include "quadrangulate/diagonal_slides.hpp"
 
 #include <algorithm>
@@ -116,18 +116,17 @@ class Slider {
       const std::uint32_t face = todo_.back();
       todo_.pop_back();
       waiting_[face - range_.begin] = 0;
-      if (!mesh_.may_change(face, range_)) {
-        at_border_.push_back(face);
-        continue;
+      // Slides of a face that may be changed bring it neighbours of neighbours at most, in the range as well.
+      met_border_ = !mesh_.may_change(face, range_);
+      if (!met_border_) {
+        for (const HalfedgeId edge : mesh_.sides_of_quad(face)) try_edge(edge);
       }
-      met_border_ = false;
-      for (const HalfedgeId edge : mesh_.sides_of_quad(face)) try_edge(edge);
       if (met_border_) at_border_.push_back(face);
     }
     return slides_;
   }
   const std::vector<std::uint32_t>& touched() const { return touched_; }
-  /// Poor ones at the border of the range, of which not all edges were looked at.
+  /// Faces at the border of the range, of which not all edges were looked at; some of them more than once.
   const std::vector<std::uint32_t>& at_border() const { return at_border_; }
 
  private:
@@ -151,16 +150,12 @@ class Slider {
     const HalfedgeId twin = mesh_.twin(edge);
     if (twin == kNone) return;
     const std::uint32_t face = Mesh::face_of(edge), other = Mesh::face_of(twin);
-    if (!range_.has(other)) {
-      met_border_ = true;
-      return;
-    }
     // If the neighbour waits too, the edge is looked at from there, when it is its turn.
     if (waiting_[other - range_.begin] != 0 || mesh_.is_free(other) || mesh_.is_inside(edge))
       return;
     const float mine = worth_of(face), theirs = worth_of(other);
     if (std::min(mine, theirs) >= kPoor || mine + theirs >= kEnough) return;
-    if (!mesh_.may_change(face, range_) || !mesh_.may_change(other, range_)) {
+    if (!mesh_.may_change(other, range_)) {
       met_border_ = true;
       return;
     }

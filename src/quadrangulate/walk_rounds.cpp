@@ -21,6 +21,7 @@ std::vector<std::uint32_t> list_free(const Mesh& mesh, const FaceRange& range = 
 constexpr std::size_t kNear = 1000;       // nodes; within them are nearly all strictly convex walks
 constexpr std::size_t kAfterSlide = 200;  // and here most that a slide has opened
 constexpr std::size_t kRangesATime = 64;  // some tenths of a second's work
+constexpr std::size_t kRangesToRest = 9;  // times the work in the ranges is that at their borders
 constexpr std::size_t kDeepNodes = 400'000;  // of thorough searches, all together
 
 /// Sets of rows lock many triangles; small ones get all the search that helps.
@@ -55,16 +56,15 @@ std::vector<FaceId> walk_convexly(QuickWalker<QuadMesh>& quick, const QuadMesh& 
   return left;
 }
 
-/// Walks within the ranges of a large mesh, on several threads, some ranges between two reports. Returns who waits for
-/// walks anywhere: of a small mesh all free triangles.
-std::vector<FaceId> walk_in_ranges(QuadMesh& mesh, WalkCounts& counts, const Progress& progress) {
-  const std::vector<FaceRange> ranges = face_ranges(mesh.face_count());
-  if (ranges.empty()) return list_free(mesh);
+/// Walks within the ranges, on several threads, some ranges between two reports. Returns who waits for walks anywhere.
+std::vector<FaceId> walk_in_ranges(QuadMesh& mesh, std::span<const FaceRange> ranges,
+                                   WalkCounts& counts, const Progress& progress) {
+  constexpr double kShare = kRangesToRest / (kRangesToRest + 1.0);
   std::vector<std::vector<FaceId>> left(ranges.size());
   std::vector<WalkCounts> counts_of(ranges.size());
   for (std::size_t begin = 0; begin < ranges.size(); begin += kRangesATime) {
     report_progress(progress, "walking",
-                    static_cast<double>(begin) / static_cast<double>(ranges.size()));
+                    kShare * static_cast<double>(begin) / static_cast<double>(ranges.size()));
     parallel_tasks(std::min(kRangesATime, ranges.size() - begin), [&](std::size_t i) {
       QuickWalker quick(mesh, ranges[begin + i]);
       left[begin + i] = walk_convexly(quick, mesh, list_free(mesh, ranges[begin + i]), [] {});
@@ -87,9 +87,14 @@ std::vector<FaceId> free_triangles(const QuadMesh& mesh) { return list_free(mesh
 
 WalkCounts walk_convexly(QuadMesh& mesh, const Progress& progress) {
   WalkCounts counts;
-  const std::vector<FaceId> waiting = walk_in_ranges(mesh, counts, progress);
+  const std::vector<FaceRange> ranges = face_ranges(mesh.face_count());
+  const bool small = ranges.empty();
+  const std::vector<FaceId> waiting =
+      small ? list_free(mesh) : walk_in_ranges(mesh, ranges, counts, progress);
+  const std::size_t steps = 2 * waiting.size(), before = small ? 0 : kRangesToRest * steps;
   QuickWalker quick(mesh);
-  walk_convexly(quick, mesh, waiting, StepReports(progress, "walking", 2 * waiting.size()));
+  walk_convexly(quick, mesh, waiting,
+                StepReports(progress, "walking", before + steps, StepReports::kEvery, before));
   add(quick, counts);
   return counts;
 }

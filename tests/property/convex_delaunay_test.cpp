@@ -61,7 +61,7 @@ TEST(ConvexDelaunay, AlmostNoPointsOnUniformSets) {
   EXPECT_LE(result.steiner.size(), 40U);  // n / 500; 4 to 24 on six sets
 }
 
-// More than 100,000 triangles: far walks aim, and each bad quad gets less effort.
+// More than 100,000 triangles: searches are smaller, and far walks aim.
 TEST(ConvexDelaunay, LargeSets) {
   const ConvexResult uniform =
       convex_checked(generate_points("uniform", 60'000, 6), OddBoundary::kTriangle);

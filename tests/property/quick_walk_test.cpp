@@ -147,6 +147,39 @@ TEST(QuickWalk, TheSweepsLeaveNextToNothing) {
   EXPECT_LT(left, 60U);  // walks that only the last rounds of walk_rounds.hpp find
 }
 
+// So several walkers may go over a mesh at once.
+TEST(QuickWalk, AWalkerKeepsToItsRange) {
+  std::size_t walks = 0, met = 0;
+  for (const std::string& kind : kKinds) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      SCOPED_TRACE(kind + ", seed " + std::to_string(seed));
+      QuadMesh mesh = to_quad_mesh(greedily_paired(generate_points(kind, 400, seed)));
+      const auto third = static_cast<FaceId>(mesh.face_count() / 3);
+      const FaceRange range{third, 2 * third};
+      const QuadMesh given = mesh;
+      QuickWalker quick(mesh, range);
+      for (FaceId t = range.begin; t < range.end; ++t) {
+        if (mesh.is_free(t)) quick.merge_over_quad(t);
+        if (mesh.is_free(t)) quick.merge(t, WalkQuads::kStrictlyConvex, 1000);
+        if (mesh.is_free(t)) quick.merge_after_slide(t, 200);
+        if (mesh.is_free(t)) quick.merge(t, WalkQuads::kAny, 1000);
+        met += quick.take_met_border() ? 1 : 0;
+      }
+      walks += quick.walks();
+      for (FaceId f = 0; f < mesh.face_count(); ++f) {
+        if (range.has(f) && given.may_change(f, range)) continue;
+        ASSERT_EQ(mesh.faces[f].corner, given.faces[f].corner);
+        if (range.has(f)) continue;  // the links of its border may change
+        ASSERT_EQ(mesh.faces[f].twin, given.faces[f].twin);
+      }
+      testing::check_paired_mesh(pairs_of(mesh), free_triangles(mesh).size());
+      if (::testing::Test::HasFailure()) return;
+    }
+  }
+  EXPECT_GT(walks, 100U);
+  EXPECT_GT(met, 100U);
+}
+
 TEST(QuickWalk, TurnsOfPentagonsAreExact) {
   Random random(1);
   SCOPED_TRACE("seed 1");
