@@ -54,14 +54,15 @@ class CsvRecords {
       line_ = next_line_;
       const auto end = std::min(rest_.find('\n'), rest_.size());
       const auto record = rest_.substr(0, end);
-      if (record.find('"') != std::string_view::npos) {
+      const auto text = trimmed_of_end(record);
+      const bool skip = text.empty() || text[0] == '#';
+      if (!skip && record.find('"') != std::string_view::npos) {
         split_quoted(fields);
         return true;
       }
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       ++next_line_;
-      const auto text = trimmed_of_end(record);
-      if (text.empty() || text[0] == '#') continue;
+      if (skip) continue;
       split_plain(text, fields, most);
       return true;
     }
@@ -84,7 +85,7 @@ class CsvRecords {
     std::array<std::size_t, 3> count = {};
     bool inside = false, comment = false, filled = false;
     for (const char c : rest_) {
-      if (c == '"') inside = !inside;
+      if (c == '"' && !comment) inside = !inside;
       if (c == '\n' && !inside) {
         if (filled) break;
         comment = false;

@@ -66,11 +66,13 @@ TEST(Csv, HeaderNamesInAnyOrderAndCase) {
 
 TEST(Csv, SeparatorsQuotesMarksLineEndsAndComments) {
   const Points two = {{1, 2}, {3, 4}};
-  for (const char* text : {"x,y\n1,2\n3,4", "x;y\r\n1;2\r\n3;4\r\n", "x\ty\n1\t2\n3\t4\n",
-                           "\xef\xbb\xbfx,y\n1,2\n3,4\n", "1,2\n3,4\n", " 1 , 2 \n\n 3 ,4  \n\n",
-                           "# by hand\nx,y\n1,2\n# more\n3,4\n", "\"x\",\"y\"\n\"1\",\"2\"\n3,4\n",
-                           "y,note,x\n2,\"a, \"\"b\"\"\n; c\",1\n4,,3\n", "x,y,,\n1,2,,\n3,4,,\n",
-                           "name\tx\ty\n\t1\t2\n\t3\t4\n", "x , \"y;z\", y\n1,0,2\n3,0,4\n"}) {
+  for (const char* text :
+       {"x,y\n1,2\n3,4", "x;y\r\n1;2\r\n3;4\r\n", "x\ty\n1\t2\n3\t4\n",
+        "\xef\xbb\xbfx,y\n1,2\n3,4\n", "1,2\n3,4\n", " 1 , 2 \n\n 3 ,4  \n\n",
+        "# by hand\nx,y\n1,2\n# more\n3,4\n", "# \"a; b;\"\nx,y\n1,2\n# 3\" more\n3,4\n",
+        "\"x\",\"y\"\n\"1\",\"2\"\n3,4\n", "y,note,x\n2,\"a, \"\"b\"\"\n; c\",1\n4,,3\n",
+        "x,y,,\n1,2,,\n3,4,,\n", "name\tx\ty\n\t1\t2\n\t3\t4\n",
+        "x , \"y;z\", y\n1,0,2\n3,0,4\n"}) {
     EXPECT_EQ(read("csv", text).points, two) << text;
   }
   EXPECT_EQ(read("csv", "n,x,y\n\"two\nlines\",1,2\nb,3,4\n").line, (Line{2, 4}));
