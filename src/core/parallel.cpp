@@ -1,5 +1,7 @@
 #include "core/parallel.hpp"
 
+#include <algorithm>
+
 #include "quadloom/core.hpp"
 
 #ifdef QUADLOOM_THREADS
@@ -20,8 +22,10 @@ void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& t
 }
 
 struct ThreadLimit::Control {
+  static constexpr std::size_t kMost = std::size_t{1} << 16;  // oneTBB counts in 32 bits
+
   explicit Control(std::size_t threads)
-      : limit(tbb::global_control::max_allowed_parallelism, threads) {}
+      : limit(tbb::global_control::max_allowed_parallelism, std::min(threads, kMost)) {}
   tbb::global_control limit;
 };
 

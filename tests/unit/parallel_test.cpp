@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <set>
 #include <thread>
 #include <utility>
@@ -102,6 +103,18 @@ TEST(ThreadLimit, EndsWithItsLife) {
     EXPECT_GT(threads_that_work(2), 1U);
   }
 #endif
+}
+
+TEST(ThreadLimit, MayBeMoreThanThereCanBe) {
+  constexpr auto most = std::numeric_limits<std::size_t>::max();
+  for (const std::size_t threads : {most, most / 2 + 1}) {  // in 32 bits: -1 and 0
+    const ThreadLimit limit(threads);
+#ifdef QUADLOOM_THREADS
+    if (std::thread::hardware_concurrency() > 1) {
+      EXPECT_GT(threads_that_work(2), 1U);
+    }
+#endif
+  }
 }
 
 TEST(ThreadLimit, RefusesNone) { EXPECT_THROW(ThreadLimit(0), Error); }
