@@ -118,7 +118,7 @@ int quadrangulate(const QuadrangulateOptions& o) {
   }
   const PointRun run = point_run(o);
   io::PointTable table = read_point_table(o, std::move(found));
-  table.line = {};  // a third of it, which nobody asks for
+  std::vector<std::size_t>().swap(table.line);  // a third of it, which nobody asks for
   return quadrangulate_point_file(o.input.path, table, reading.seconds(), run, o.output);
 }
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/edge_sums.hpp"
@@ -267,8 +268,8 @@ void finish_quads(std::vector<Part>& parts, Quality& out) {
   aspect.reserve(out.quads);
   for (Part& part : parts) {
     sum += part.shape_sum;
-    aspect.insert(aspect.end(), part.aspect.begin(), part.aspect.end());
-    part.aspect = {};
+    const auto values = std::exchange(part.aspect, {});
+    aspect.insert(aspect.end(), values.begin(), values.end());
   }
   out.mean_shape = sum / static_cast<double>(out.quads);
   const auto middle = aspect.begin() + static_cast<std::ptrdiff_t>(aspect.size() / 2);
