@@ -1,11 +1,13 @@
-// Meshes of several blocks of faces: the boundary of all faces together, against a count edge by edge, and
-// faults with what is counted up to them.
+// Meshes of several blocks of faces: the boundary of all faces together, against a count edge by edge,
+// faults with what is counted up to them, and quality, against each face alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "certify/edge_sums.hpp"
 #include "certify/edges.hpp"
@@ -182,6 +184,84 @@ TEST(CertifyBlocks, TrianglesAreAllowedForTheWholeMesh) {
   EXPECT_EQ(verdict.culprits, Culprits{80'004});
   EXPECT_EQ(verdict.triangles, 6U);
   EXPECT_EQ(verdict.faces, 80'005U);
+}
+
+/// Any quads and triangles of points that make all figures different numbers.
+PolygonMesh any_shapes(std::size_t faces) {
+  Random random(9);
+  PolygonMesh mesh;
+  while (mesh.points.size() < 1000) mesh.points.push_back({random.uniform(), random.uniform()});
+  while (mesh.face_count() < faces) {
+    std::array<VertexId, 4> corners;
+    for (VertexId& v : corners) v = static_cast<VertexId>(random.below(mesh.points.size()));
+    mesh.add_face(std::span(corners).first(mesh.face_count() % 7 == 0 ? 3 : 4));
+  }
+  return mesh;
+}
+
+TEST(QualityBlocks, MeasureAllFacesOnAnyNumberOfThreads) {
+  const std::array<VertexId, 4> corners = {0, 1, 2, 3};
+  for (const std::size_t faces : {16'384U, 16'385U, 50'000U}) {  // a block, and one face more
+    SCOPED_TRACE(faces);
+    const PolygonMesh mesh = any_shapes(faces);
+    Quality sum;  // of each face alone
+    double shape = 0;
+    for (std::size_t f = 0; f < faces; ++f) {
+      PolygonMesh one;
+      for (const VertexId v : mesh.face(f)) one.points.push_back(mesh.points[v]);
+      one.add_face(std::span(corners).first(one.points.size()));
+      const Quality q = measure_quality(one);
+      sum.quads += q.quads;
+      sum.triangles += q.triangles;
+      sum.strictly_convex += q.strictly_convex;
+      sum.non_convex += q.non_convex;
+      sum.max_edge = std::max(sum.max_edge, q.max_edge);
+      sum.max_angle = std::max(sum.max_angle, q.max_angle);
+      for (std::size_t i = 0; i < 36; ++i) sum.angle_histogram[i] += q.angle_histogram[i];
+      for (std::size_t i = 0; i < 10; ++i) sum.shape_histogram[i] += q.shape_histogram[i];
+      shape += q.mean_shape;
+    }
+    const Quality one = on_threads(1, [&] { return measure_quality(mesh); });
+    EXPECT_EQ(one.quads, sum.quads);
+    EXPECT_EQ(one.triangles, sum.triangles);
+    EXPECT_EQ(one.strictly_convex, sum.strictly_convex);
+    EXPECT_EQ(one.non_convex, sum.non_convex);
+    EXPECT_EQ(one.max_edge, sum.max_edge);
+    EXPECT_EQ(one.max_angle, sum.max_angle);
+    EXPECT_EQ(one.angle_histogram, sum.angle_histogram);
+    EXPECT_EQ(one.shape_histogram, sum.shape_histogram);
+    EXPECT_NEAR(one.mean_shape, shape / static_cast<double>(sum.quads), 1e-12);
+    for (const int threads : {2, 4}) {
+      const Quality other = on_threads(threads, [&] { return measure_quality(mesh); });
+      EXPECT_EQ(other.mean_shape, one.mean_shape);
+      EXPECT_EQ(other.mean_edge, one.mean_edge);
+      EXPECT_EQ(other.median_aspect, one.median_aspect);
+      EXPECT_EQ(other.max_aspect, one.max_aspect);
+      EXPECT_EQ(other.edges, one.edges);
+    }
+  }
+}
+
+TEST(QualityBlocks, TheEdgesOfSquares) {
+  const Quality q = measure_quality(squares());
+  EXPECT_EQ(q.edges, 2U * 300 * 301);
+  EXPECT_EQ(q.mean_edge, 1);
+  EXPECT_EQ(q.min_shape, 1);
+  EXPECT_EQ(q.median_aspect, 1);
+}
+
+TEST(QualityBlocks, TheFirstFaceThatIsNoneIsNamed) {
+  PolygonMesh mesh = squares();
+  for (const std::size_t f : {80'000U, 40'000U}) mesh.face_vertex[4 * f + 2] = 1'000'000;
+  for (const int threads : {1, 2, 4}) {
+    try {
+      on_threads(threads, [&] { return measure_quality(mesh); });
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kIndexOutOfRange);
+      EXPECT_EQ(error.culprits(), (Culprits{40'000, 1'000'000}));
+    }
+  }
 }
 
 TEST(CertifyBlocks, AFaceTwiceIsARepeatedEdge) {

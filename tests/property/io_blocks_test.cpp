@@ -1,10 +1,12 @@
 // Reading in blocks of lines is reading line by line, whatever the text, its faults and the number of
 // threads; writers put out the same bytes.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <csignal>
 #include <limits>
 #include <string>
 
@@ -190,6 +192,46 @@ TEST(Writers, TheFirstNumberThatCannotBeWrittenIsNamed) {
       EXPECT_NE(std::string(error.what()).find("inf"), std::string::npos) << error.what();
     }
     EXPECT_EQ(folder.file_count(), 0U);
+  }
+}
+
+/// While it lives, no file of this process grows beyond so many bytes.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small = {bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(Writers, ADiskThatIsFullHalfwayLeavesNothing) {
+  const auto points =
+      generate_points("uniform", 600'000, 3);  // more than blocks are put together at once
+  const test::TemporaryFolder folder;
+  folder.write("points.xyz", "old\n");
+  for (const rlim_t bytes : {1'000U, 1'000'000U, 15'000'000U}) {
+    for (const int threads : {1, 4}) {
+      const SmallFiles small(bytes);
+      try {
+        on_threads(threads, [&] { write_points(folder.path("points.xyz"), points); });
+        ADD_FAILURE() << "no error";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::kFile);
+      }
+      EXPECT_EQ(folder.read("points.xyz"), "old\n");
+      EXPECT_EQ(folder.file_count(), 1U);
+    }
   }
 }
 
