@@ -28,8 +28,6 @@ bool DelaunayInserter::insert_within(std::uint32_t p, std::uint32_t fresh) {
 template <bool kWithin>
 std::uint32_t DelaunayInserter::locate(std::uint32_t p) {
   constexpr int kFixedSteps = 6;
-  constexpr int kMostSteps =
-      40;  // within a range: a longer walk is better begun at the point before
   const Point at = points_[p];
   const auto beyond = [&](const Triangle& t, std::uint32_t i) {
     const Point a = points_[t.v[i]], b = points_[t.v[i + 1]];
@@ -42,8 +40,8 @@ std::uint32_t DelaunayInserter::locate(std::uint32_t p) {
   std::uint32_t chance = p;
   for (int step = 0;; ++step) {
     const Triangle& t = triangles_[entry >> 2];
-    if (kWithin && (!owns(t) || step == kMostSteps)) {
-      stopped_at_ = t.twin[entry & 3U] >> 2;  // where the walk comes from
+    if (kWithin && !owns(t)) {
+      last_ = t.twin[entry & 3U] >> 2;  // where the walk comes from
       return kNone;
     }
     std::uint32_t i = DelaunayMesh::next(entry) & 3U, j = DelaunayMesh::previous(entry) & 3U;
@@ -133,7 +131,7 @@ bool DelaunayInserter::collect_cavity(std::uint32_t start, std::uint32_t p) {
     }
     const Triangle& t = triangles_[edge >> 2];
     if (kWithin && !owns(t)) {
-      stopped_at_ = start;
+      last_ = start;
       return false;
     }
     cavity_[cavity_size++] = edge >> 2;

@@ -31,10 +31,9 @@ class DelaunayInserter {
   /// Inserts p, which takes two fresh triangles besides those that it destroys.
   void insert(std::uint32_t p, std::uint32_t fresh);
 
-  /// The same if the range allows; if not nothing is changed, and stopped_at() is a triangle of the
-  /// range near p.
+  /// The same if the range allows; if not no triangle is changed, and the next walk starts where this one
+  /// has come to.
   bool insert_within(std::uint32_t p, std::uint32_t fresh);
-  std::uint32_t stopped_at() const { return stopped_at_; }
 
   /// The next walk starts there: a triangle that is no ghost, and owned.
   void start_at(std::uint32_t triangle) { last_ = triangle; }
@@ -64,8 +63,7 @@ class DelaunayInserter {
   const Point* const points_;
   Triangle* const triangles_;
   std::uint32_t begin_, size_;  // the range
-  std::uint32_t last_ = 0;      // a triangle at the last point inserted, not a ghost
-  std::uint32_t stopped_at_ = 0;
+  std::uint32_t last_ = 0;  // where the next walk starts: a triangle at the last point, not a ghost
   // The triangles that the new point destroys, and the edges around them, seen from outside,
   // counter-clockwise. Buffers of which the first so many entries count.
   std::vector<std::uint32_t> cavity_;

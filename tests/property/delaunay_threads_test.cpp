@@ -66,13 +66,34 @@ TEST(DelaunayThreads, TheTrianglesAreDelaunay) {
   }
 }
 
-// Some points reach out of their range.
-TEST(DelaunayThreads, SomePointsArePutOff) {
-  const std::vector<Point> points = generate_points("uniform", kMany, 4);
+/// How many of the points are put off.
+std::size_t put_off(const std::vector<Point>& points) {
   kernel::DelaunayBuilder builder(kernel::gather(points, spatial_order(points)));
-  ASSERT_TRUE(builder.build());
-  EXPECT_GT(builder.put_off(), kMany / 100);
-  EXPECT_LT(builder.put_off(), kMany / 5);
+  EXPECT_TRUE(builder.build());
+  return builder.put_off();
+}
+
+// Few points reach out of their range, the fewer the more there are.
+TEST(DelaunayThreads, FewPointsArePutOff) {
+  struct Few {
+    const char* kind;
+    std::size_t points, most, least;  // how many are put off: one in so many
+  };
+  for (const Few& few : {Few{"uniform", kMany, 9, 13}, Few{"uniform", 1000000, 25, 33},
+                         Few{"clusters", 1000000, 21, 28}, Few{"grid", 1000000, 25, 33}}) {
+    SCOPED_TRACE(::testing::Message() << few.kind << " " << few.points);
+    const std::size_t some = put_off(generate_points(few.kind, few.points, 4));
+    EXPECT_LT(some, few.points / few.most);
+    EXPECT_GT(some, few.points / few.least);
+  }
+}
+
+// On rows most points are put off.
+TEST(DelaunayThreads, OnRowsMostPointsArePutOff) {
+  for (const char* kind : {"circle", "lines", "cross", "collinear-but-one"}) {
+    SCOPED_TRACE(kind);
+    EXPECT_GT(put_off(distinct_points(generate_points(kind, kMany, 4)).points), kMany / 2);
+  }
 }
 
 }  // namespace
