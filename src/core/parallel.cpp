@@ -9,16 +9,20 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
+#include <tbb/task_group.h>
 #endif
 
 namespace quadloom {
 
 #ifdef QUADLOOM_THREADS
 
-// One task a thread has not begun can be taken by another: tasks are long, so none are put together.
+// One task a thread has not begun can be taken by another: tasks are long, so none are put together. The
+// context is isolated: where an exception ends tasks that these are inside of, ours or the caller's, a
+// bound one would leave tasks out and return as if all were done.
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& task) {
   if (count == 1) return task(0);
-  tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner());
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner(), context);
 }
 
 struct ThreadLimit::Control {

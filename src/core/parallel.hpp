@@ -11,7 +11,8 @@ namespace quadloom {
 
 /// Calls task(0) to task(count - 1), each once, on this thread and others, and returns when all are
 /// done. If one throws, those not begun are left out and the exception comes through; of several, any
-/// one does. A task must neither wait for another one nor report progress.
+/// one does. Inside of a task that is no longer wanted all are done likewise. A task must neither wait for
+/// another one nor report progress.
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& task);
 
 /// Calls work(begin, end) for [0, block), [block, 2 block), ... up to `count`. One block is done at

@@ -13,6 +13,11 @@
 #include "quadloom/core.hpp"
 #include "support/on_threads.hpp"
 
+#ifdef QUADLOOM_THREADS
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
+#endif
+
 namespace quadloom {
 namespace {
 
@@ -70,6 +75,21 @@ TEST(ParallelForBlocks, MayBeCalledInsideOfItself) {
   });
   EXPECT_EQ(sum, 4950U);
 }
+
+#ifdef QUADLOOM_THREADS
+TEST(ParallelForBlocks, LeavesNothingOutInsideOfWhatIsCancelled) {
+  std::atomic<int> begun = 0, blocks = 0;
+  tbb::task_group_context context;
+  const auto outer = [&](int) {
+    ++begun;
+    context.cancel_group_execution();
+    parallel_for_blocks(100, 10, [&](std::size_t, std::size_t) { ++blocks; });
+  };
+  tbb::parallel_for(0, 4, outer, tbb::simple_partitioner(), context);
+  EXPECT_GE(begun, 1);
+  EXPECT_EQ(blocks, 10 * begun);
+}
+#endif
 
 TEST(ParallelInvoke, CallsEachOnce) {
   int a = 0, b = 0, c = 0;
