@@ -35,7 +35,7 @@ PeeledChain::PeeledChain(std::span<const Point> points, HullSide side)
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  certain_ = kCrossError * (2 * ((high.x - low.x) * (high.y - low.y))) + kCrossUnderflow;
+  certain_ = cross_bound(low, high);
 }
 
 void PeeledChain::start(std::span<const VertexId> places) {
@@ -50,8 +50,8 @@ void PeeledChain::peel(const std::vector<char>& removed) {
   for (const Stop& stop : before_) uncover(stop.under, removed);
 }
 
-/// Whether q is strictly below a c, for which it is between a and c. The error is bounded once for all
-/// points, as that of proven_difference for the largest products.
+/// Whether q is strictly below a c, for which it is between a and c. One bound for all points
+/// (cross_bound: upside down the extents are the same).
 bool PeeledChain::below(Point q, Point a, Point c) const {
   const double det = (q.x - a.x) * (c.y - a.y) - (q.y - a.y) * (c.x - a.x);
   if (std::fabs(det) > certain_) return det > 0;

@@ -9,8 +9,11 @@
 //              at most 2^-1074 times a lift, or times a 2 x 2 minor, which is at most a sum of
 //              lifts; hence the test of the lifts against 2^400: the sum of these errors is then
 //              below 2^-660.
-//   by lifts   (incircle_pair_filter) |bx cy| + |cx by| is at most half the sum of b's and c's
-//   lift,
+//   in a box   (cross_bound) Rounding is monotone. So for points in a box no difference is larger than
+//              the rounded extents, no product than theirs, p, and no bound of `cross`, which grows with
+//              |l| + |r|, than that for l = r = p, for which the sum 2 p is exact. An overflow of any
+//              l, r or l - r means that of 2 p.
+//   by lifts   (incircle_pair_filter) |bx cy| + |cx by| is at most half the sum of b's and c's lift,
 //              so the permanent is at most a third of the square of the sum of the lifts: the error
 //              is at most (10e + 80e^2) / 3 times that, and 4e leaves room for the few roundings in
 //              the sum, its square and the bound.
@@ -40,6 +43,12 @@ inline int proven_difference(double l, double r) {
   if (det > bound) return 1;
   if (-det > bound) return -1;
   return 0;
+}
+
+/// What |l - r| must be above for the sign to be certain, l and r as in proven_difference, of differences
+/// of points in the box.
+inline double cross_bound(Point low, Point high) {
+  return kCrossError * (2 * ((high.x - low.x) * (high.y - low.y))) + kCrossUnderflow;
 }
 
 inline int cross_filter(Point a, Point b, Point c, Point d) {

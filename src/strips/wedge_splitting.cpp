@@ -86,8 +86,7 @@ class Splitting {
   enum Cell : std::uint32_t { kFrom, kMiddle, kTo, kOnPivot, kOnFrom, kOnTo, kCells };
 
   /// The cell of most points without a branch: the three signs that tell cells apart, if all are certain.
-  /// All differences are at most the sides of the triangle's box, so one bound does for all points: it is
-  /// that of kernel::proven_difference for the largest products.
+  /// One bound for all points, which are in the triangle's box (kernel::cross_bound).
   class CellFilter {
    public:
     CellFilter(const Wedge& w, int s, Point p)
@@ -98,8 +97,7 @@ class Splitting {
           to_(to(w.to.at)) {
       const auto [left, right] = std::minmax({w.pivot.at.x, w.from.at.x, w.to.at.x});
       const auto [low, high] = std::minmax({w.pivot.at.y, w.from.at.y, w.to.at.y});
-      bound_ =
-          kernel::kCrossError * (2 * ((right - left) * (high - low))) + kernel::kCrossUnderflow;
+      bound_ = kernel::cross_bound({left, low}, {right, high});
     }
 
     /// kCells if not certain.
