@@ -138,6 +138,27 @@ TEST(ConvexLayers, DoNotDependOnTheBandsForAnyGenerator) {
   }
 }
 
+// One bound does for all determinants of a set: below it, above it, and where they underflow or overflow.
+TEST(ConvexLayers, AreTheSameAtAnyMagnitude) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    Random random(seed);
+    const auto points = random_grid_points(random, 1 + random.below(200), 1 + random.below(40), 40);
+    const kernel::LexOrder order = kernel::lex_order(points);
+    const kernel::PeelingSizes sizes = {.band = 16, .sample = 4};
+    const ConvexLayers expected = kernel::peel_layers(order.points, {}, sizes);
+    const Point scales[] = {{0x1p-1074, 0x1p-1074}, {0x1p-500, 0x1p-503},  {0x1p500, 0x1p506},
+                            {0x1p1018, 0x1p1018},   {0x1p-1074, 0x1p1018}, {0x1p1018, 0x1p-1074}};
+    for (const Point scale : scales) {
+      std::vector<Point> scaled = order.points;
+      for (Point& p : scaled) p = {p.x * scale.x, p.y * scale.y};
+      const ConvexLayers layers = kernel::peel_layers(scaled, {}, sizes);
+      ASSERT_EQ(layers.begin, expected.begin);
+      ASSERT_EQ(layers.vertex, expected.vertex);
+    }
+  }
+}
+
 // In a cross nearly all triangles share few corners: peeling goes on with hull trees.
 TEST(ConvexLayers, AreTheHullsOfWhatIsLeftOfManyPoints) {
   for (const char* kind : {"uniform", "cross", "grid"}) {
