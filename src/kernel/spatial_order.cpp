@@ -168,19 +168,19 @@ class SpatialSort {
   /// Sorts each run of equal bits from `lowest` on. The blocks end where runs end.
   void sort_runs(Run r, unsigned lowest) {
     Word* const words = words_.data();
-    const auto end_of_run = [words, r, lowest](std::size_t i) {
+    const auto end_of_run = [words, lowest](std::size_t i, std::size_t end) {
       const Word upper = words[i] >> lowest;
       do ++i;
-      while (i < r.end && words[i] >> lowest == upper);
+      while (i < end && words[i] >> lowest == upper);
       return i;
     };
     std::vector<std::size_t> cut = {r.begin};
     while (cut.back() < r.end) {
-      cut.push_back(end_of_run(std::min(cut.back() + kBlock, r.end) - 1));
+      cut.push_back(end_of_run(std::min(cut.back() + kBlock, r.end) - 1, r.end));
     }
     parallel_tasks(cut.size() - 1, [&](std::size_t block) {
       for (std::size_t i = cut[block], j = i; i < cut[block + 1]; i = j) {
-        j = end_of_run(i);
+        j = end_of_run(i, cut[block + 1]);
         if (j - i > 1) std::sort(words + i, words + j);
       }
     });
