@@ -8,8 +8,8 @@
 
 namespace quadloom {
 
-/// Reports at every so many steps how many of all are done, counting from those done
-/// before. Throws as report_progress.
+/// Reports at every so many steps how many of all are done, counting on from those done before. Throws
+/// as report_progress.
 class StepReports {
  public:
   static constexpr std::size_t kEvery = 4096;

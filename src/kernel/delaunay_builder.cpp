@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/delaunay_ranges.hpp"
 #include "kernel/predicates_inline.hpp"
 
 namespace quadloom::kernel {

@@ -8,7 +8,6 @@
 
 #include "kernel/delaunay_inserter.hpp"
 #include "kernel/delaunay_mesh.hpp"
-#include "kernel/delaunay_ranges.hpp"
 #include "kernel/insertion_order.hpp"
 #include "quadloom/core.hpp"
 
@@ -19,7 +18,7 @@ class DelaunayBuilder {
  public:
   using Triangle = DelaunayMesh::Triangle;
 
-  /// The number of triangles, ghosts included, is 2 n - 2; four of them take the numbers of two.
+  /// Of n points there are 2 n - 2 triangles, ghosts included, each with four numbers of edges.
   static constexpr std::size_t kMaxDelaunayPoints = std::size_t{1} << 29;
 
   /// Takes the points in their spatial order.
