@@ -36,6 +36,7 @@
 #include "convex/price.hpp"
 #include "convex/recutter.hpp"
 #include "convex/settle.hpp"
+#include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "quadrangulate/diagonal_slides.hpp"
@@ -122,11 +123,10 @@ class Mender {
 };
 
 void Mender::find_bad() {
-  state_.bad.clear();
-  for (TriangleId t = 0; t < mesh_.mate.size(); ++t) {
-    if (!mesh_.is_free(t) && state_.name_of_quad(t) == t && state_.is_bad(t))
-      state_.bad.push_back(t);
-  }
+  constexpr std::size_t kBlock = std::size_t{1} << 15;  // of triangles, for a thread
+  state_.bad = parallel_find(static_cast<TriangleId>(mesh_.mate.size()), kBlock, [&](TriangleId t) {
+    return !mesh_.is_free(t) && state_.name_of_quad(t) == t && state_.is_bad(t);
+  });
 }
 
 /// The same if only the quads of these triangles may be bad, or those that have been.

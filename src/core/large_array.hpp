@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 namespace quadloom {
 
@@ -19,6 +20,29 @@ using LargeArray = std::unique_ptr<T[], FreeMemory>;
 /// Throws std::bad_alloc. On Linux the memory of some megabytes is in huge pages if the system has
 /// them: one fault for 2 MiB instead of 512, a tenth of the time of delaunay().
 void* large_memory(std::size_t bytes);
+
+/// Asks for huge pages for memory that has not been touched yet, if it is some megabytes.
+void wish_huge_pages(void* memory, std::size_t bytes);
+
+/// As array.reserve(count), in huge pages: for arrays that are filled once, and are large if the input is.
+template <typename T>
+void reserve_large(std::vector<T>& array, std::size_t count) {
+  array.reserve(count);
+  wish_huge_pages(array.data(), array.capacity() * sizeof(T));
+}
+
+/// Room for one in 64 more, for arrays to which some elements will be added: growing would copy them all. What is
+/// not written to takes no memory.
+constexpr std::size_t with_room(std::size_t count) { return count + count / 64; }
+
+/// An array of so many.
+template <typename T>
+std::vector<T> large_vector(std::size_t count, const T& value = T()) {
+  std::vector<T> array;
+  reserve_large(array, count);
+  array.resize(count, value);
+  return array;
+}
 
 template <typename T>
 LargeArray<T> large_array(std::size_t count) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace quadloom {
 
@@ -21,6 +23,28 @@ template <typename Work>
 void parallel_for_blocks(std::size_t count, std::size_t block, const Work& work) {
   const auto task = [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); };
   parallel_tasks(count / block + (count % block != 0 ? 1 : 0), std::cref(task));
+}
+
+/// Calls work(i) for each i below `count`, a block at once on this thread.
+template <typename Work>
+void parallel_for(std::uint32_t count, std::size_t block, const Work& work) {
+  parallel_for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) work(i);
+  });
+}
+
+/// Those of the numbers below `count` of which `has` is true, in order.
+template <typename Has>
+std::vector<std::uint32_t> parallel_find(std::uint32_t count, std::size_t block, const Has& has) {
+  std::vector<std::vector<std::uint32_t>> found(count / block + 1);
+  parallel_for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      if (has(i)) found[begin / block].push_back(i);
+    }
+  });
+  std::vector<std::uint32_t> all;
+  for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 /// Calls each of them.

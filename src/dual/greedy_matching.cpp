@@ -6,7 +6,8 @@
 // Delaunay triangulations 95% (bench/).
 //
 // Steps:
-//   1. weigh_pairs     the shape of each pair, by halfedge; in passes that stream if the mesh is in order
+//   1. weigh_pairs     the shape of each pair, by halfedge, in blocks of triangles on several threads; in passes
+//                      that stream if the mesh is in order
 //   2. put_scarce_first  if asked for: what triangles with few strictly convex pairs gain by
 //   3. propose         for each triangle
 //
@@ -19,6 +20,8 @@
 #include <span>
 #include <vector>
 
+#include "core/large_array.hpp"
+#include "core/parallel.hpp"
 #include "dual/pair_shape.hpp"
 #include "quadloom/dual.hpp"
 
@@ -28,21 +31,15 @@ using dual::GreedyOrder;
 
 namespace {
 
-constexpr float kNever = 8;  // worse than any pair
+constexpr float kNever = 8;  // that or more: worse than any pair
 constexpr std::uint64_t kNoOffer = std::uint64_t{std::bit_cast<std::uint32_t>(kNever)} << 32;
 constexpr float kScarcity = 0.5F;
 
-/// The inner edges, each by its smaller halfedge. Two passes, since it is a matter of luck which of the two halfedges
-/// comes first: what is costly is done without branches after this.
-std::vector<HalfedgeId> inner_edges(const Triangulation& mesh) {
-  std::vector<HalfedgeId> edges(mesh.twin.size() / 2 + 1);
-  std::size_t count = 0;
-  for (HalfedgeId h = 0; h < mesh.twin.size(); ++h) {
-    edges[count] = h;
-    count += mesh.twin[h] > h && mesh.twin[h] != kNone ? 1 : 0;
-  }
-  edges.resize(count);
-  return edges;
+constexpr std::size_t kBlock = std::size_t{1} << 14;  // of triangles, for a thread
+
+template <typename Work>
+void for_triangles(const Triangulation& mesh, const Work& work) {
+  parallel_for(static_cast<TriangleId>(mesh.triangle_count()), kBlock, work);
 }
 
 /// The greatest squared cosine of the pair at h, kNever if it is not strictly convex.
@@ -57,50 +54,66 @@ float weigh_pair(const Triangulation& mesh, HalfedgeId h) {
   return convex ? (worst < 1 ? static_cast<float>(worst) : 1) : kNever;
 }
 
+/// The weights of the pairs whose smaller halfedge is one of the triangles'. Two passes, since it is a matter of luck
+/// which of the two halfedges comes first: what is costly is done without branches after this.
+void weigh_pairs_of(const Triangulation& mesh, TriangleId begin, TriangleId end,
+                    std::vector<float>& weight) {
+  std::vector<HalfedgeId> edges(3 * (end - begin) + 1);
+  std::size_t count = 0;
+  for (HalfedgeId h = 3 * begin; h < 3 * end; ++h) {
+    edges[count] = h;
+    count += mesh.twin[h] > h && mesh.twin[h] != kNone ? 1 : 0;
+    if (mesh.twin[h] == kNone) weight[h] = kNever;
+  }
+  edges.resize(count);
+  for (const HalfedgeId h : edges) weight[h] = weight[mesh.twin[h]] = weigh_pair(mesh, h);
+}
+
 /// A triangle that has few pairs to choose from is left over unless it comes soon. Counted before anything is paired,
 /// that is a third fewer triangles left over, and after the walks better shapes.
-void put_scarce_first(const Triangulation& mesh, std::span<const HalfedgeId> edges,
-                      std::vector<float>& weight) {
+void put_scarce_first(const Triangulation& mesh, std::vector<float>& weight) {
   std::vector<std::uint8_t> partners(mesh.triangle_count());
-  for (const HalfedgeId h : edges) {
-    const std::uint8_t one = weight[h] < kNever ? 1 : 0;
-    partners[triangle_of(h)] += one;
-    partners[triangle_of(mesh.twin[h])] += one;
-  }
-  for (const HalfedgeId h : edges) {
-    const HalfedgeId twin = mesh.twin[h];
-    const int others = partners[triangle_of(h)] + partners[triangle_of(twin)];
-    weight[h] = weight[twin] =
-        weight[h] < kNever ? weight[h] + kScarcity * static_cast<float>(others) : kNever;
-  }
+  for_triangles(mesh, [&](TriangleId t) {
+    const auto has = [&](HalfedgeId i) { return weight[3 * t + i] < kNever ? 1 : 0; };
+    partners[t] = static_cast<std::uint8_t>(has(0) + has(1) + has(2));
+  });
+  for_triangles(mesh, [&](TriangleId t) {
+    for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
+      const HalfedgeId twin = mesh.twin[h];
+      const int others = partners[t] + partners[triangle_of(twin == kNone ? h : twin)];
+      weight[h] += kScarcity * static_cast<float>(others);
+    }
+  });
 }
 
 /// By halfedge.
 std::vector<float> weigh_pairs(const Triangulation& mesh, GreedyOrder order) {
-  const std::vector<HalfedgeId> edges = inner_edges(mesh);
-  std::vector<float> weight(mesh.twin.size(), kNever);
-  for (const HalfedgeId h : edges) weight[h] = weight[mesh.twin[h]] = weigh_pair(mesh, h);
-  if (order == GreedyOrder::kShapeAndScarcity) put_scarce_first(mesh, edges, weight);
+  auto weight = large_vector<float>(mesh.twin.size());
+  parallel_for_blocks(mesh.triangle_count(), kBlock, [&](std::size_t begin, std::size_t end) {
+    weigh_pairs_of(mesh, static_cast<TriangleId>(begin), static_cast<TriangleId>(end), weight);
+  });
+  if (order == GreedyOrder::kShapeAndScarcity) put_scarce_first(mesh, weight);
   return weight;
 }
 
 class GreedyMatching {
  public:
   GreedyMatching(const Triangulation& mesh, GreedyOrder order)
-      : mesh_(mesh), weight_(weigh_pairs(mesh, order)), offer_(mesh.triangle_count(), kNoOffer) {}
+      : mesh_(mesh),
+        weight_(weigh_pairs(mesh, order)),
+        offer_(large_vector<std::uint64_t>(mesh.triangle_count(), kNoOffer)) {}
 
   DualMatching run() {
     for (TriangleId t = 0; t < offer_.size(); ++t) propose(t);
     DualMatching matching;
-    matching.mate.resize(offer_.size(), kNone);
-    for (TriangleId t = 0; t < offer_.size(); ++t) {
-      if (offer_[t] == kNoOffer) {
-        ++matching.unmatched;
-      } else {
-        const HalfedgeId h = edge_of(offer_[t]);
-        matching.mate[t] = triangle_of(h) == t ? h : mesh_.twin[h];
-      }
-    }
+    matching.mate = large_vector<HalfedgeId>(offer_.size(), kNone);
+    for_triangles(mesh_, [&](TriangleId t) {
+      if (offer_[t] == kNoOffer) return;
+      const HalfedgeId h = edge_of(offer_[t]);
+      matching.mate[t] = triangle_of(h) == t ? h : mesh_.twin[h];
+    });
+    matching.unmatched =
+        static_cast<std::size_t>(std::count(offer_.begin(), offer_.end(), kNoOffer));
     return matching;
   }
 

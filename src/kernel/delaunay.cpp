@@ -39,6 +39,7 @@
 #include <string>
 #include <utility>
 
+#include "core/large_array.hpp"
 #include "core/parallel.hpp"
 #include "kernel/delaunay_builder.hpp"
 #include "kernel/delaunay_in_order.hpp"
@@ -71,8 +72,8 @@ std::vector<VertexId> drop_duplicates(std::vector<Point>& in_order, std::vector<
 
 /// Room for the triangles. The memory is new, so this is work, and each array is filled apart.
 void resize(Triangulation& mesh, std::size_t triangles) {
-  parallel_invoke([&] { mesh.tri_vertex.resize(3 * triangles); },
-                  [&] { mesh.twin.resize(3 * triangles); });
+  parallel_invoke([&] { mesh.tri_vertex = large_vector<VertexId>(3 * triangles); },
+                  [&] { mesh.twin = large_vector<HalfedgeId>(3 * triangles); });
 }
 
 /// The triangles as they were built, each corner under its vertex number. Their order is that of
@@ -97,7 +98,7 @@ std::vector<TriangleId> places_along_curve(std::span<const DelaunayBuilder::Tria
   const auto first = [](const DelaunayBuilder::Triangle& t) {
     return std::min({t.v[0], t.v[1], t.v[2]});
   };
-  std::vector<TriangleId> next(vertices + 1), place(triangles.size());
+  std::vector<TriangleId> next(vertices + 1), place = large_vector<TriangleId>(triangles.size());
   for (const DelaunayBuilder::Triangle& t : triangles) ++next[first(t) + 1];
   for (std::size_t v = 0; v < vertices; ++v) next[v + 1] += next[v];
   for (std::size_t t = 0; t < place.size(); ++t) place[t] = next[first(triangles[t])]++;
@@ -144,6 +145,8 @@ Built build(std::span<const Point> input, std::vector<Point>* points_in_order) {
                   [&] {
                     if (points_in_order == nullptr) return;
                     const std::span<const Point> points = out.builder.points();
+                    reserve_large(*points_in_order,
+                                  with_room(points.size()));  // methods add points
                     points_in_order->assign(points.begin(), points.end());
                   });
   if (!in_the_plane) {

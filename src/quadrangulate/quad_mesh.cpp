@@ -1,6 +1,11 @@
 #include "quadrangulate/quad_mesh.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
+
+#include "core/large_array.hpp"
+#include "core/parallel.hpp"
 
 namespace quadloom::quadrangulate {
 
@@ -50,72 +55,92 @@ std::array<FaceId, 2> recut_pentagon(QuadMesh& mesh, HalfedgeId enter, int ear) 
 
 namespace {
 
-/// The face of each triangle, and where its sides are in it.
-class FaceOfTriangles {
- public:
-  explicit FaceOfTriangles(const PairedMesh& mesh)
-      : face_(mesh.mate.size()), first_(mesh.mate.size()) {
-    for (TriangleId t = 0; t < face_.size(); ++t) {
-      const HalfedgeId h = mesh.mate[t];
-      const TriangleId other = h == kNone ? t : triangle_of(mesh.tri.twin[h]);
-      face_[t] = other < t ? face_[other] : count_++;
-      // The side after the inner one is side 2 of the quad for the first triangle, and side 0 for the second.
-      first_[t] =
-          h == kNone ? 0 : static_cast<std::uint8_t>((other < t ? 0 : 2) + 4 * (h - 3 * t + 1));
-    }
-  }
-  FaceId count() const { return count_; }
-  FaceId face(TriangleId t) const { return face_[t]; }
-  /// The halfedge that takes the place of g; of an inner one: any.
-  HalfedgeId side(HalfedgeId g) const {
-    const TriangleId t = triangle_of(g);
-    const HalfedgeId after_inner = first_[t] / 4, i = g - 3 * t;
-    const HalfedgeId steps = i >= after_inner ? i - after_inner : i + 3 - after_inner;
-    return 4 * face_[t] + first_[t] % 4 + steps;
-  }
+constexpr std::size_t kBlock = std::size_t{1} << 14;  // of triangles or faces, for a thread
 
- private:
-  std::vector<FaceId> face_;
-  std::vector<std::uint8_t>
-      first_;  // the side of the quad, and four times the corner of the triangle, where it begins
-  FaceId count_ = 0;
+/// Numbers what each triangle or face stands for, one after the other: the first of each, and how many in all.
+/// `size` says how many.
+template <typename Size>
+std::uint32_t number_all(std::vector<std::uint32_t>& first, const Size& size) {
+  const std::size_t count = first.size();
+  std::vector<std::uint32_t> next((count + kBlock - 1) / kBlock + 1);  // of each block
+  parallel_for_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+      next[begin / kBlock + 1] += size(i);
+  });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  parallel_for_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t at = next[begin / kBlock];
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      first[i] = at;
+      at += size(i);
+    }
+  });
+  return next.back();
+}
+
+/// The halfedge of the face that takes the place of each halfedge of its triangles; of an inner one: any.
+struct SideOfHalfedges {
+  explicit SideOfHalfedges(const PairedMesh& mesh);
+
+  std::vector<HalfedgeId> side;
+  FaceId faces;
 };
+
+SideOfHalfedges::SideOfHalfedges(const PairedMesh& mesh)
+    : side(large_vector<HalfedgeId>(mesh.tri.twin.size())) {
+  const auto other = [&](TriangleId t) {
+    return mesh.is_free(t) ? t : triangle_of(mesh.tri.twin[mesh.mate[t]]);
+  };
+  auto face = large_vector<FaceId>(mesh.mate.size());
+  faces = number_all(face, [&](TriangleId t) { return other(t) < t ? 0U : 1U; });
+  parallel_for(static_cast<TriangleId>(face.size()), kBlock, [&](TriangleId t) {
+    const HalfedgeId h = mesh.mate[t];
+    const HalfedgeId first = 4 * face[std::min(t, other(t))];
+    if (h == kNone) {
+      for (HalfedgeId i = 0; i < 3; ++i) side[3 * t + i] = first + i;
+    } else {  // the sides after the inner one are 2 and 3 for the first triangle, 0 and 1 for the second
+      const HalfedgeId after = first + (other(t) < t ? 0 : 2);
+      side[next_halfedge(h)] = after;
+      side[previous_halfedge(h)] = after + 1;
+    }
+  });
+}
 
 }  // namespace
 
 QuadMesh to_quad_mesh(PairedMesh&& mesh) {
   QuadMesh out;
-  const FaceOfTriangles where(mesh);
-  out.faces.resize(where.count());
-  for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
-    QuadMesh::Face& face = out.faces[where.face(t)];
+  const SideOfHalfedges to(mesh);
+  out.faces = large_vector<QuadMesh::Face>(to.faces);
+  parallel_for(static_cast<TriangleId>(mesh.mate.size()), kBlock, [&](TriangleId t) {
     const HalfedgeId inner = mesh.mate[t];
-    if (inner == kNone) face.corner[3] = face.twin[3] = kNone;
     for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) {
       if (g == inner) continue;
-      const HalfedgeId side = where.side(g) % 4, twin = mesh.tri.twin[g];
-      face.corner[side] = mesh.tri.origin(g);
-      face.twin[side] = twin == kNone ? kNone : where.side(twin);
+      QuadMesh::Face& face = out.faces[to.side[g] / 4];
+      const HalfedgeId twin = mesh.tri.twin[g];
+      face.corner[to.side[g] % 4] = mesh.tri.origin(g);
+      face.twin[to.side[g] % 4] = twin == kNone ? kNone : to.side[twin];
     }
-  }
+    if (inner != kNone) return;
+    QuadMesh::Face& triangle = out.faces[to.side[3 * t] / 4];
+    triangle.corner[3] = triangle.twin[3] = kNone;
+  });
   out.points = std::move(mesh.tri.points);
   return out;
 }
 
 PairedMesh to_paired_mesh(QuadMesh&& mesh) {
   // A quad a, b, c, d becomes a, b, c and c, d, a, or b, c, d and d, a, b.
-  std::vector<TriangleId> first(mesh.face_count());
+  auto first = large_vector<TriangleId>(mesh.face_count());
+  const TriangleId count = number_all(first, [&](FaceId f) {
+    return mesh.is_gone(f) ? 0U : mesh.is_free(f) ? 1U : 2U;
+  });
   std::vector<char> from_second(mesh.face_count(), 0);
-  TriangleId count = 0;
-  for (FaceId f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.is_gone(f)) continue;
-    first[f] = count;
-    count += mesh.is_free(f) ? 1 : 2;
+  parallel_for(static_cast<FaceId>(mesh.face_count()), kBlock, [&](FaceId f) {
     const auto at = [&](std::size_t i) { return mesh.point(mesh.faces[f].corner[i]); };
-    if (!mesh.is_free(f)) {
+    if (mesh.is_quad(f))
       from_second[f] = split_by_first_diagonal(at(0), at(1), at(2), at(3)) ? 0 : 1;
-    }
-  }
+  });
   const auto halfedge = [&](HalfedgeId side) {
     const FaceId f = QuadMesh::face_of(side);
     const HalfedgeId i = side % 4;
@@ -124,11 +149,14 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
     return 3 * first[f] + (along < 2 ? along : along + 1);
   };
   PairedMesh out;
+  reserve_large(out.tri.tri_vertex, 3 * with_room(count));
+  reserve_large(out.tri.twin, 3 * with_room(count));
+  reserve_large(out.mate, with_room(count));
   out.tri.tri_vertex.resize(3 * count);
   out.tri.twin.resize(3 * count);
   out.mate.resize(count);
-  for (FaceId f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.is_gone(f)) continue;
+  parallel_for(static_cast<FaceId>(mesh.face_count()), kBlock, [&](FaceId f) {
+    if (mesh.is_gone(f)) return;
     const QuadMesh::Face& face = mesh.faces[f];
     const TriangleId t = first[f];
     const std::size_t corners = mesh.is_free(f) ? 3 : 4;
@@ -138,7 +166,7 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
       out.tri.twin[h] = face.twin[i] == kNone ? kNone : halfedge(face.twin[i]);
     }
     out.mate[t] = kNone;
-    if (corners == 3) continue;
+    if (corners == 3) return;
     const std::size_t skip = static_cast<std::size_t>(from_second[f]);
     out.tri.tri_vertex[3 * t + 2] = face.corner[(skip + 2) % 4];
     out.tri.tri_vertex[3 * t + 5] = face.corner[skip];
@@ -146,7 +174,7 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
     out.tri.twin[3 * t + 5] = 3 * t + 2;
     out.mate[t] = 3 * t + 2;
     out.mate[t + 1] = 3 * t + 5;
-  }
+  });
   out.tri.points = std::move(mesh.points);
   return out;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "quadloom/quadrangulate.hpp"
 
 namespace quadloom::quadrangulate {
@@ -26,13 +27,18 @@ class VertexOrder {
 
   /// Back to the input's order; Steiner points keep their places behind.
   void restore(Quadrangulation& mesh) const {
-    for (VertexId& v : mesh.quad_vertex) v = given(v);
-    for (VertexId& v : mesh.tri_vertex) v = given(v);
+    for (auto* corners : {&mesh.quad_vertex, &mesh.tri_vertex}) {
+      parallel_for(static_cast<std::uint32_t>(corners->size()), kBlock,
+                   [&](std::uint32_t i) { (*corners)[i] = given((*corners)[i]); });
+    }
     const std::vector<Point> along = mesh.points;
-    for (VertexId v = 0; v < order_.size(); ++v) mesh.points[order_[v]] = along[v];
+    parallel_for(static_cast<VertexId>(order_.size()), kBlock,
+                 [&](VertexId v) { mesh.points[order_[v]] = along[v]; });
   }
 
  private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 15;  // for a thread
+
   std::vector<VertexId> order_;
 };
 
