@@ -58,10 +58,9 @@ std::uint32_t Walker::search(std::span<const TriangleId> starts, const BoundaryG
   nodes_.clear();
   queue_.clear();
   ++searches_;
-  search_of_.resize(mesh_.mate.size());
   visits_.resize(mesh_.mate.size());
   for (const TriangleId t : starts) {
-    search_of_[t] = searches_;
+    visits_[t] = {searches_};
     const auto& v = mesh_.tri.tri_vertex;
     push(0, {kNone, kNone, {v[3 * t], v[3 * t + 1], v[3 * t + 2]}, {3 * t, 3 * t + 1, 3 * t + 2}});
   }
@@ -102,7 +101,7 @@ void Walker::try_boundary(std::uint32_t from, std::size_t i, const BoundaryGoal&
 void Walker::try_goal(std::uint32_t from, std::size_t i, const WalkLimits& limits) {
   const Node& node = nodes_[from];
   const HalfedgeId enter = mesh_.tri.twin[node.exit[i]];
-  if (search_of_[triangle_of(enter)] == searches_) return;  // the start itself
+  if (visits_[triangle_of(enter)].search == searches_) return;  // the start itself
   const VertexId apex = mesh_.tri.apex(enter);
   const TriangleId other = triangle_of(enter);
   kernel::Chart chart;
@@ -209,24 +208,26 @@ void Walker::try_wheel(std::uint32_t from, HalfedgeId enter, const QuadBehind& q
   }
 }
 
-bool Walker::may_visit(std::uint32_t node, TriangleId t, std::uint8_t visits) {
-  if (search_of_[t] != searches_) {
-    search_of_[t] = searches_;
-    visits_[t] = 0;
-  }
-  if (visits_[t] >= visits) return false;
-  // A second route may pass, but no route passes twice: its first pass has re-cut the quad.
-  for (; visits > 1 && nodes_[node].enter != kNone; node = nodes_[node].parent) {
+bool Walker::may_visit(std::uint32_t node, TriangleId t, std::uint8_t most) {
+  Visits& visits = visits_[t];
+  if (visits.search != searches_) visits = {searches_};
+  if (visits.count >= most) return false;
+  const std::uint32_t depth = nodes_[node].depth + 1;
+  // A second route may pass, but no route passes twice: its first pass has re-cut the quad. Before the first visit of
+  // all there is nothing to look for; without that, long corridors would take quadratic time.
+  for (; nodes_[node].depth >= visits.least_depth; node = nodes_[node].parent) {
     const QuadBehind passed = quad_behind(mesh_, nodes_[node].enter);
     if (std::min(passed.near, passed.far) == t) return false;
   }
-  ++visits_[t];
+  visits.least_depth = std::min(visits.least_depth, depth);
+  ++visits.count;
   return true;
 }
 
 void Walker::push(std::uint32_t move_cost, const Node& node) {
   queue_.push(queue_.cost() + move_cost, static_cast<std::uint32_t>(nodes_.size()));
   nodes_.push_back(node);
+  if (node.parent != kNone) nodes_.back().depth = nodes_[node.parent].depth + 1;
 }
 
 void Walker::Queue::clear() {

@@ -71,6 +71,13 @@ class Walker {
     std::array<HalfedgeId, 3> exit;
     std::int8_t ear = 0;
     bool goal = false;
+    std::uint32_t depth = 0;  // moves from the start
+  };
+  /// How often a search has visited a triangle, and after how few moves.
+  struct Visits {
+    std::uint32_t search = 0;
+    std::uint32_t least_depth = kNone;
+    std::uint8_t count = 0;
   };
   /// Nodes waiting to be expanded, by cost. No move costs as much as the ring is long, so that the
   /// costs waiting at any time fit in one turn of it; among equal costs the last one pushed comes
@@ -106,8 +113,7 @@ class Walker {
   PairedMesh& mesh_;
   std::vector<Node> nodes_;
   Queue queue_;
-  std::vector<std::uint32_t> search_of_;  // per triangle: the last search that visited it
-  std::vector<std::uint8_t> visits_;      // and how often
+  std::vector<Visits> visits_;  // per triangle: of the last search that visited it
   std::uint32_t searches_ = 0;
   std::size_t walks_ = 0;
   std::size_t steps_ = 0;
