@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/large_array.hpp"
 #include "core/parallel.hpp"
 #include "kernel/input_points.hpp"
 #include "quadloom/kernel.hpp"
@@ -35,7 +36,7 @@ void check_points(std::span<const Point> input, std::size_t limit) {
 
 std::vector<Point> gather(std::span<const Point> points, std::span<const VertexId> order) {
   std::vector<Point> out;
-  out.reserve(order.size() + 1);  // delaunay() adds a point at infinity
+  reserve_large(out, order.size() + 1);  // delaunay() adds a point at infinity
   out.resize(order.size());
   parallel_for_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) out[i] = points[order[i]];
@@ -45,7 +46,7 @@ std::vector<Point> gather(std::span<const Point> points, std::span<const VertexI
 
 std::size_t number_distinct(std::span<const Point> in_order, std::span<const VertexId> order,
                             std::vector<VertexId>& input_to_vertex) {
-  input_to_vertex.resize(order.size());
+  input_to_vertex = large_vector<VertexId>(order.size());
   std::iota(input_to_vertex.begin(), input_to_vertex.end(), VertexId{0});
   bool repeated = false;
   for (std::size_t i = 1; i < order.size(); ++i) {
@@ -66,11 +67,11 @@ std::size_t number_distinct(std::span<const Point> in_order, std::span<const Ver
 std::vector<Point> points_by_number(std::span<const Point> input,
                                     std::span<const VertexId> input_to_vertex, std::size_t count) {
   std::vector<Point> points;
+  reserve_large(points, count);
   if (count == input.size()) {
     points.assign(input.begin(), input.end());
     return points;
   }
-  points.reserve(count);
   for (std::size_t i = 0; i < input.size(); ++i) {
     if (input_to_vertex[i] == points.size()) points.push_back(input[i]);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/large_array.hpp"
 #include "core/parallel.hpp"
 
 namespace quadloom::kernel {
@@ -44,7 +45,7 @@ std::vector<std::uint32_t> part_round(std::size_t size, const Number& number,
 
 InsertionOrder insertion_order(std::size_t n) {
   InsertionOrder order;
-  order.point.resize(n);
+  order.point = large_vector<std::uint32_t>(n);
   order.round_begin = {n};
   const auto round = [&](std::size_t size, const auto& number) {
     order.round_begin.push_back(size / kRatio);

@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/large_array.hpp"
 #include "core/parallel.hpp"
 #include "kernel/hilbert.hpp"
 #include "quadloom/kernel.hpp"
@@ -88,7 +89,8 @@ class SpatialSort {
 
   std::vector<VertexId> run() {
     const std::size_t n = points_.size();
-    parallel_invoke([&] { words_.resize(n); }, [&] { scratch_.resize(n); });
+    parallel_invoke([&] { words_ = large_vector<Word>(n); },
+                    [&] { scratch_ = large_vector<Word>(n); });
     parallel_for_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) words_[i] = i;
     });
@@ -98,7 +100,7 @@ class SpatialSort {
       pending_.pop_back();
       refine(r);
     }
-    std::vector<VertexId> order(n);
+    auto order = large_vector<VertexId>(n);
     parallel_for_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) order[i] = index_of(words_[i]);
     });
