@@ -37,7 +37,7 @@ std::optional<ConvexResult> convex_delaunay_quadrangulation(kernel::DelaunayInOr
   result.statistics.hull_points = quads->statistics.hull_points;
   result.input_vertices = quads->input_vertices;
   for (SteinerPoint& s : result.steiner) s = quads->order.given(s);
-  result.mesh = quadrangulate::to_quadrangulation(mesh);
+  result.mesh = quadrangulate::to_quadrangulation(std::move(mesh));
   result.not_convex =
       quads_not_convex(result.mesh);  // while neighbours are near each other in memory
   quads->order.restore(result.mesh);

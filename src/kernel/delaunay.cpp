@@ -126,8 +126,7 @@ struct Built {
   std::vector<VertexId> vertex, input_to_vertex;
 };
 
-/// Copies the points along the curve to `points_in_order`, if it is one.
-Built build(std::span<const Point> input, std::vector<Point>* points_in_order) {
+Built build(std::span<const Point> input) {
   kernel::check_points(input, std::min(kMaxPoints, DelaunayBuilder::kMaxDelaunayPoints));
   std::vector<VertexId> order = spatial_order(input);
   std::vector<Point> in_order = kernel::gather(input, order);
@@ -140,27 +139,18 @@ Built build(std::span<const Point> input, std::vector<Point>* points_in_order) {
   std::vector<VertexId> vertex =
       drop_duplicates(in_order, std::move(order), input_to_vertex, count);
   Built out{DelaunayBuilder(std::move(in_order)), std::move(vertex), std::move(input_to_vertex)};
-  bool in_the_plane = false;
-  parallel_invoke([&] { in_the_plane = out.builder.build(); },
-                  [&] {
-                    if (points_in_order == nullptr) return;
-                    const std::span<const Point> points = out.builder.points();
-                    reserve_large(*points_in_order,
-                                  with_room(points.size()));  // methods add points
-                    points_in_order->assign(points.begin(), points.end());
-                  });
-  if (!in_the_plane) {
+  if (!out.builder.build()) {
     throw Error(ErrorCode::kAllCollinear,
                 "all " + std::to_string(count) + " distinct points are on one line");
   }
-  out.builder.free_points();  // before the result takes its memory
   return out;
 }
 
 }  // namespace
 
 DelaunayResult delaunay(std::span<const Point> input) {
-  Built built = build(input, nullptr);
+  Built built = build(input);
+  built.builder.take_points() = {};  // before the result takes its memory
   DelaunayResult out;
   out.input_to_vertex = std::move(built.input_to_vertex);
   out.mesh.points = kernel::points_by_number(input, out.input_to_vertex, built.vertex.size());
@@ -170,7 +160,8 @@ DelaunayResult delaunay(std::span<const Point> input) {
 
 kernel::DelaunayInOrder kernel::delaunay_in_order(std::span<const Point> input) {
   DelaunayInOrder out;
-  Built built = build(input, &out.mesh.points);
+  Built built = build(input);
+  out.mesh.points = built.builder.take_points();
   emit_in_order(built.builder.triangles(), out.mesh);
   out.vertex = std::move(built.vertex);
   out.input_to_vertex = std::move(built.input_to_vertex);

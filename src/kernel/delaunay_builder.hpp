@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/delaunay_inserter.hpp"
@@ -24,15 +25,17 @@ class DelaunayBuilder {
   /// Takes the points in their spatial order.
   explicit DelaunayBuilder(std::vector<Point> points) : mesh_(std::move(points)) {}
 
-  /// The points; nothing more is asked of them after build().
-  std::span<const Point> points() const { return {mesh_.points.data(), mesh_.ghost}; }
-  void free_points() { mesh_.points = std::vector<Point>(); }
-
   /// Triangulates. False if all points are on one line (or fewer than three).
   bool build();
 
   /// Built and without ghosts: a twin beyond the hull is kNone.
   std::span<const Triangle> triangles() const { return {mesh_.triangles.get(), triangle_count_}; }
+
+  /// The points, with room for more, after build(), which is done with them.
+  std::vector<Point> take_points() {
+    mesh_.points.pop_back();
+    return std::move(mesh_.points);
+  }
 
   /// For tests: how many points the ranges of large rounds put off.
   std::size_t put_off() const { return put_off_; }

@@ -36,7 +36,8 @@ void check_points(std::span<const Point> input, std::size_t limit) {
 
 std::vector<Point> gather(std::span<const Point> points, std::span<const VertexId> order) {
   std::vector<Point> out;
-  reserve_large(out, order.size() + 1);  // delaunay() adds a point at infinity
+  reserve_large(
+      out, with_room(order.size()) + 1);  // for a point at infinity, and those that methods add
   out.resize(order.size());
   parallel_for_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) out[i] = points[order[i]];

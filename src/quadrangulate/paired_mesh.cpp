@@ -1,7 +1,9 @@
 #include "quadrangulate/paired_mesh.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/large_array.hpp"
 #include "kernel/predicates_inline.hpp"
 
 namespace quadloom::quadrangulate {
@@ -177,21 +179,35 @@ void attach_at_boundary(PairedMesh& mesh, HalfedgeId boundary, VertexId s, Stein
   }
 }
 
-Quadrangulation to_quadrangulation(const PairedMesh& mesh) {
+namespace {
+
+/// Without the points.
+Quadrangulation faces_of(const PairedMesh& mesh) {
   Quadrangulation out;
-  out.points = mesh.tri.points;
-  out.quad_vertex.reserve(2 * mesh.mate.size());
+  reserve_large(out.quad_vertex, 2 * mesh.mate.size());
   for (TriangleId t = 0; t < mesh.mate.size(); ++t) {
     const HalfedgeId h = mesh.mate[t];
     if (h == kNone) {
       for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) out.tri_vertex.push_back(mesh.tri.origin(g));
     } else if (h < mesh.tri.twin[h]) {
-      for (const VertexId v : {mesh.tri.origin(h), mesh.tri.apex(mesh.tri.twin[h]),
-                               mesh.tri.target(h), mesh.tri.apex(h)}) {
-        out.quad_vertex.push_back(v);
-      }
+      const std::array<VertexId, 4> quad = mesh.corners_of_quad(t);
+      out.quad_vertex.insert(out.quad_vertex.end(), quad.begin(), quad.end());
     }
   }
+  return out;
+}
+
+}  // namespace
+
+Quadrangulation to_quadrangulation(const PairedMesh& mesh) {
+  Quadrangulation out = faces_of(mesh);
+  out.points = mesh.tri.points;
+  return out;
+}
+
+Quadrangulation to_quadrangulation(PairedMesh&& mesh) {
+  Quadrangulation out = faces_of(mesh);
+  out.points = std::move(mesh.tri.points);
   return out;
 }
 

@@ -159,5 +159,6 @@ void attach_at_boundary(PairedMesh& mesh, HalfedgeId boundary, VertexId s, Stein
 
 /// The quads and the free triangles, in the order of the triangles.
 Quadrangulation to_quadrangulation(const PairedMesh& mesh);
+Quadrangulation to_quadrangulation(PairedMesh&& mesh);
 
 }  // namespace quadloom::quadrangulate

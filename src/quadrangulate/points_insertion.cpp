@@ -370,7 +370,7 @@ std::optional<PointResult> insert_in_order(PairedMesh mesh, const PointOptions& 
   }
   result.statistics.walks = walker.walks();
   result.statistics.walk_steps = walker.steps();
-  result.mesh = to_quadrangulation(mesh);
+  result.mesh = to_quadrangulation(std::move(mesh));
   return result;
 }
 

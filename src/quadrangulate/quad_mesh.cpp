@@ -1,6 +1,5 @@
 #include "quadrangulate/quad_mesh.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -78,52 +77,56 @@ std::uint32_t number_all(std::vector<std::uint32_t>& first, const Size& size) {
   return next.back();
 }
 
-/// The halfedge of the face that takes the place of each halfedge of its triangles; of an inner one: any.
-struct SideOfHalfedges {
-  explicit SideOfHalfedges(const PairedMesh& mesh);
+/// The face of each triangle, and where its sides are in it.
+class FaceOfTriangles {
+ public:
+  explicit FaceOfTriangles(const PairedMesh& mesh)
+      : face_(large_vector<FaceId>(mesh.mate.size())), first_(mesh.mate.size()) {
+    const auto other = [&](TriangleId t) {
+      return mesh.is_free(t) ? t : triangle_of(mesh.tri.twin[mesh.mate[t]]);
+    };
+    count_ = number_all(face_, [&](TriangleId t) { return other(t) < t ? 0U : 1U; });
+    parallel_for(static_cast<TriangleId>(face_.size()), kBlock, [&](TriangleId t) {
+      if (mesh.is_free(t)) return;
+      const bool is_second = other(t) < t;
+      if (is_second) face_[t] = face_[other(t)];
+      // The side after the inner one is side 2 of the quad for the first triangle, and side 0 for the second.
+      first_[t] = static_cast<std::uint8_t>((is_second ? 0 : 2) + 4 * (mesh.mate[t] - 3 * t + 1));
+    });
+  }
+  FaceId count() const { return count_; }
+  FaceId face(TriangleId t) const { return face_[t]; }
+  /// The halfedge that takes the place of g; of an inner one: any.
+  HalfedgeId side(HalfedgeId g) const {
+    const TriangleId t = triangle_of(g);
+    const HalfedgeId after_inner = first_[t] / 4, i = g - 3 * t;
+    const HalfedgeId steps = i >= after_inner ? i - after_inner : i + 3 - after_inner;
+    return 4 * face_[t] + first_[t] % 4 + steps;
+  }
 
-  std::vector<HalfedgeId> side;
-  FaceId faces;
+ private:
+  std::vector<FaceId> face_;
+  std::vector<std::uint8_t>
+      first_;  // the side of the quad, and four times the corner of the triangle, where it begins
+  FaceId count_ = 0;
 };
-
-SideOfHalfedges::SideOfHalfedges(const PairedMesh& mesh)
-    : side(large_vector<HalfedgeId>(mesh.tri.twin.size())) {
-  const auto other = [&](TriangleId t) {
-    return mesh.is_free(t) ? t : triangle_of(mesh.tri.twin[mesh.mate[t]]);
-  };
-  auto face = large_vector<FaceId>(mesh.mate.size());
-  faces = number_all(face, [&](TriangleId t) { return other(t) < t ? 0U : 1U; });
-  parallel_for(static_cast<TriangleId>(face.size()), kBlock, [&](TriangleId t) {
-    const HalfedgeId h = mesh.mate[t];
-    const HalfedgeId first = 4 * face[std::min(t, other(t))];
-    if (h == kNone) {
-      for (HalfedgeId i = 0; i < 3; ++i) side[3 * t + i] = first + i;
-    } else {  // the sides after the inner one are 2 and 3 for the first triangle, 0 and 1 for the second
-      const HalfedgeId after = first + (other(t) < t ? 0 : 2);
-      side[next_halfedge(h)] = after;
-      side[previous_halfedge(h)] = after + 1;
-    }
-  });
-}
 
 }  // namespace
 
 QuadMesh to_quad_mesh(PairedMesh&& mesh) {
   QuadMesh out;
-  const SideOfHalfedges to(mesh);
-  out.faces = large_vector<QuadMesh::Face>(to.faces);
+  const FaceOfTriangles where(mesh);
+  out.faces = large_vector<QuadMesh::Face>(where.count());
   parallel_for(static_cast<TriangleId>(mesh.mate.size()), kBlock, [&](TriangleId t) {
+    QuadMesh::Face& face = out.faces[where.face(t)];
     const HalfedgeId inner = mesh.mate[t];
+    if (inner == kNone) face.corner[3] = face.twin[3] = kNone;
     for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) {
       if (g == inner) continue;
-      QuadMesh::Face& face = out.faces[to.side[g] / 4];
-      const HalfedgeId twin = mesh.tri.twin[g];
-      face.corner[to.side[g] % 4] = mesh.tri.origin(g);
-      face.twin[to.side[g] % 4] = twin == kNone ? kNone : to.side[twin];
+      const HalfedgeId side = where.side(g) % 4, twin = mesh.tri.twin[g];
+      face.corner[side] = mesh.tri.origin(g);
+      face.twin[side] = twin == kNone ? kNone : where.side(twin);
     }
-    if (inner != kNone) return;
-    QuadMesh::Face& triangle = out.faces[to.side[3 * t] / 4];
-    triangle.corner[3] = triangle.twin[3] = kNone;
   });
   out.points = std::move(mesh.tri.points);
   return out;
@@ -182,7 +185,7 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
 Quadrangulation to_quadrangulation(QuadMesh&& mesh) {
   Quadrangulation out;
   out.points = std::move(mesh.points);
-  out.quad_vertex.reserve(4 * mesh.face_count());
+  reserve_large(out.quad_vertex, 4 * mesh.face_count());
   for (FaceId f = 0; f < mesh.face_count(); ++f) {
     const auto& corner = mesh.faces[f].corner;
     auto& list = mesh.is_quad(f) ? out.quad_vertex : out.tri_vertex;

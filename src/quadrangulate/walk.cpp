@@ -212,14 +212,14 @@ bool Walker::may_visit(std::uint32_t node, TriangleId t, std::uint8_t most) {
   Visits& visits = visits_[t];
   if (visits.search != searches_) visits = {searches_};
   if (visits.count >= most) return false;
-  const std::uint32_t depth = nodes_[node].depth + 1;
+  const std::uint32_t depth = nodes_[node].depth + 1;  // of this visit
   // A second route may pass, but no route passes twice: its first pass has re-cut the quad. Before the first visit of
   // all there is nothing to look for; without that, long corridors would take quadratic time.
-  for (; nodes_[node].depth >= visits.least_depth; node = nodes_[node].parent) {
+  for (; visits.count > 0 && nodes_[node].depth >= visits.least_depth; node = nodes_[node].parent) {
     const QuadBehind passed = quad_behind(mesh_, nodes_[node].enter);
     if (std::min(passed.near, passed.far) == t) return false;
   }
-  visits.least_depth = std::min(visits.least_depth, depth);
+  visits.least_depth = std::min<std::uint32_t>(visits.least_depth, depth) & Visits::kDeepest;
   ++visits.count;
   return true;
 }

@@ -73,11 +73,12 @@ class Walker {
     bool goal = false;
     std::uint32_t depth = 0;  // moves from the start
   };
-  /// How often a search has visited a triangle, and after how few moves.
+  /// How often a search has visited a triangle, and after how few moves, if that is not more.
   struct Visits {
+    static constexpr std::uint32_t kDeepest = (1U << 24) - 1;
     std::uint32_t search = 0;
-    std::uint32_t least_depth = kNone;
-    std::uint8_t count = 0;
+    std::uint32_t least_depth : 24 = kDeepest;
+    std::uint32_t count : 8 = 0;
   };
   /// Nodes waiting to be expanded, by cost. No move costs as much as the ring is long, so that the
   /// costs waiting at any time fit in one turn of it; among equal costs the last one pushed comes
