@@ -97,8 +97,7 @@ bool judge_corners(const PolygonMesh& mesh, const CertifyOptions& options, Certi
                                      });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool triangles_fit = out.triangles + parts[i].triangles <= options.triangles_allowed;
-    if (!parts[i].ok() ||
-        (parts[i].triangles > 0 && !triangles_fit)) {  // again, to count up to the fault
+    if (!parts[i].ok() || !triangles_fit) {  // again, to count up to the fault
       const std::size_t first = i * kFacesOfBlock;
       return judge_faces(mesh, first, std::min(first + kFacesOfBlock, mesh.face_count()), options,
                          out, used);

@@ -145,11 +145,10 @@ double Measure::corner_angle(std::size_t i) const {
 
 /// Longest over shortest side.
 double Measure::aspect() const {
+  const bool overflow = std::ranges::any_of(side_, [](double side) { return std::isinf(side); });
   double longest = 0, shortest = kInfinity;
   for (std::size_t i = 0; i < side_.size(); ++i) {
-    const bool tame = is_tame(side_[i]);
-    const double side =
-        tame ? side_[i] * 0.25 : length(face_[i], face_[after(i)], 0.25);  // no overflow
+    const double side = overflow ? length(face_[i], face_[after(i)], 0.25) : side_[i];
     longest = std::max(longest, side);
     shortest = std::min(shortest, side);
   }

@@ -130,6 +130,8 @@ Certificate judged(const PolygonMesh& mesh, const CertifyOptions& options = {}) 
     EXPECT_EQ(other.faces, one.faces);
     EXPECT_EQ(other.triangles, one.triangles);
     EXPECT_EQ(other.strictly_convex, one.strictly_convex);
+    EXPECT_EQ(other.flat_cornered, one.flat_cornered);
+    EXPECT_EQ(other.non_convex, one.non_convex);
   }
   return one;
 }
@@ -163,6 +165,55 @@ TEST(CertifyBlocks, TheFirstFaultIsNamedAndCountedUpTo) {
   EXPECT_EQ(shapes.culprits, Culprits{70'000});
   EXPECT_EQ(shapes.faces, 90'000U);
   EXPECT_EQ(shapes.strictly_convex, 70'000U);
+}
+
+/// The mesh with a fault in each of these faces: one that a face's numbers show, or its places.
+PolygonMesh damaged(const PolygonMesh& mesh, const std::map<std::size_t, std::size_t>& fault_of,
+                    bool of_numbers) {
+  PolygonMesh out;
+  out.points = mesh.points;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto v = mesh.face(f);
+    const auto at = fault_of.find(f);
+    std::vector<VertexId> corners(v.begin(), v.end());
+    if (at != fault_of.end() && of_numbers) {
+      if (at->second == 0) corners[1] = corners[3];
+      if (at->second == 1) corners[2] = static_cast<VertexId>(mesh.points.size());
+      if (at->second == 2) corners.insert(corners.begin(), corners[0] == 0 ? 7 : 0);
+    } else if (at != fault_of.end()) {
+      if (at->second == 0) std::swap(corners[0], corners[1]);
+      if (at->second == 1) std::ranges::reverse(corners);
+      if (at->second == 2) corners = {v[0], v[0] + 1, v[0] + 2, v[3]};  // flat
+    }
+    out.add_face(corners);
+  }
+  return out;
+}
+
+TEST(CertifyBlocks, LaterFaultsInAnyBlockDoNotMatter) {
+  const PolygonMesh mesh = squares();
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const bool of_numbers = seed % 2 == 0;
+    Random random(seed);
+    std::map<std::size_t, std::size_t> faults;
+    for (std::size_t i = 2 + random.below(6); i > 0; --i) {
+      std::size_t f = random.below(mesh.face_count());
+      if (f % 300 == 299) --f;  // no flat one at the end of a row
+      faults[f] = random.below(3);
+    }
+    const auto [first, kind] = *faults.begin();
+    const CertifyOptions options = {.strictly_convex = true};
+    const Certificate all = judged(damaged(mesh, faults, of_numbers), options);
+    const Certificate alone = judged(damaged(mesh, {{first, kind}}, of_numbers), options);
+    EXPECT_EQ(all.fault, alone.fault);
+    EXPECT_EQ(all.sentence, alone.sentence);
+    EXPECT_EQ(all.culprits, Culprits{first});
+    EXPECT_EQ(all.faces, of_numbers ? first + 1 : mesh.face_count());
+    EXPECT_EQ(all.strictly_convex, of_numbers ? 0 : first);
+    EXPECT_EQ(all.flat_cornered, !of_numbers && kind == 2 ? 1U : 0U);
+    EXPECT_EQ(all.non_convex, 0U);
+  }
 }
 
 TEST(CertifyBlocks, TrianglesAreAllowedForTheWholeMesh) {

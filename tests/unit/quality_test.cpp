@@ -75,12 +75,41 @@ TEST(Quality, CountsInnerEdgesOnce) {
 }
 
 TEST(Quality, AtTheEndsOfTheRange) {
-  for (const double s : {1e-320, 1e-300, 1e300, 1.5e308}) {
+  for (const double s : {5e-324, 1e-320, 1e-300, 1e300, 1.5e308}) {
     const auto q = measure_quality(one_face({{-s, -s}, {s, -s}, {s, s}, {-s, s}}));
     EXPECT_DOUBLE_EQ(q.min_angle, 90) << s;
     EXPECT_DOUBLE_EQ(q.max_angle, 90) << s;
     EXPECT_EQ(q.strictly_convex, 1U) << s;
     EXPECT_DOUBLE_EQ(q.max_aspect, 1) << s;
+  }
+}
+
+TEST(Quality, IsTheSameAtAnyMagnitude) {
+  PolygonMesh mesh;
+  mesh.points = {{0, 0}, {4, 0}, {5, 2}, {1, 3}, {8, 1}, {6, 7}, {2, 2}};
+  test::set_faces(mesh, {{0, 1, 2, 3}, {1, 4, 5, 2}, {3, 2, 5, 6}, {0, 4, 5}});
+  const PolygonMesh at_one = mesh;
+  const Quality wanted = measure_quality(mesh);
+  // A double has 1022 binary places more at either end; products of lengths are taken to 2^232.
+  for (const int exponent : {-1074, -1020, -600, -235, -232, -230, 100, 228, 230, 232, 600, 1020}) {
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const Point p = at_one.points[v];
+      mesh.points[v] = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+    }
+    SCOPED_TRACE(exponent);
+    const Quality q = measure_quality(mesh);
+    EXPECT_EQ(q.strictly_convex, wanted.strictly_convex);
+    EXPECT_EQ(q.non_convex, wanted.non_convex);
+    EXPECT_EQ(q.angle_histogram, wanted.angle_histogram);
+    EXPECT_EQ(q.shape_histogram, wanted.shape_histogram);
+    EXPECT_DOUBLE_EQ(q.min_angle, wanted.min_angle);
+    EXPECT_DOUBLE_EQ(q.max_angle, wanted.max_angle);
+    EXPECT_DOUBLE_EQ(q.mean_shape, wanted.mean_shape);
+    if (exponent == -1074) continue;  // lengths are whole numbers of units there
+    EXPECT_DOUBLE_EQ(q.max_aspect, wanted.max_aspect);
+    EXPECT_DOUBLE_EQ(q.median_aspect, wanted.median_aspect);
+    EXPECT_DOUBLE_EQ(q.min_edge, std::ldexp(wanted.min_edge, exponent));
+    EXPECT_DOUBLE_EQ(q.max_edge, std::ldexp(wanted.max_edge, exponent));
   }
 }
 
