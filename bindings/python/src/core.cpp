@@ -163,6 +163,7 @@ void bind_triangle_mesh(nb::module_& m) {
 
 struct LimitInWith {
   std::size_t threads = 0;
+  std::size_t within = 0;  // so many `with`, of which the last ends the limit
   std::unique_ptr<ThreadLimit> limit;
 };
 
@@ -176,15 +177,21 @@ void bind_thread_limit(nb::module_& m) {
           "__init__",
           [](LimitInWith* self, std::size_t threads) {
             ThreadLimit valid(threads);
-            new (self) LimitInWith{threads, nullptr};
+            new (self) LimitInWith{threads, 0, nullptr};
           },
           "threads"_a, "At least 1.")
       .def(
           "__enter__",
-          [](LimitInWith& self) { self.limit = std::make_unique<ThreadLimit>(self.threads); },
+          [](LimitInWith& self) {
+            if (self.within == 0) self.limit = std::make_unique<ThreadLimit>(self.threads);
+            ++self.within;
+          },
           "The limit begins.")
       .def(
-          "__exit__", [](LimitInWith& self, const nb::args&) { self.limit.reset(); },
+          "__exit__",
+          [](LimitInWith& self, const nb::args&) {
+            if (self.within > 0 && --self.within == 0) self.limit.reset();
+          },
           "The limit ends.");
 }
 
