@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -77,6 +78,16 @@ auto own(std::vector<T> elements) {
   const nanobind::capsule owner(kept,
                                 [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
   return view<Width>(*kept, owner);
+}
+
+/// x, y and z of each point.
+inline std::vector<double> interleaved(std::span<const Point> points, std::span<const double> z) {
+  std::vector<double> out;
+  out.reserve(3 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out.insert(out.end(), {points[i].x, points[i].y, z[i]});
+  }
+  return out;
 }
 
 /// A list of rings, float64 (k, 2) each, the outer one first.

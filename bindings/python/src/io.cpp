@@ -53,12 +53,7 @@ void bind_points(nb::module_& m) {
           return io::read_points(path.string(), {format, columns});
         });
         if (table.z.empty()) return nb::cast(own(std::vector(table.points)));
-        std::vector<double> xyz;
-        xyz.reserve(3 * table.points.size());
-        for (std::size_t i = 0; i < table.points.size(); ++i) {
-          xyz.insert(xyz.end(), {table.points[i].x, table.points[i].y, table.z[i]});
-        }
-        return nb::cast(own<3>(std::move(xyz)));
+        return nb::cast(own<3>(interleaved(table.points, table.z)));
       },
       "path"_a, nb::kw_only(), "format"_a = "", "columns"_a = "",
       nb::sig("def read_points(path: str | os.PathLike, *, format: str = '', columns: str = '') -> "

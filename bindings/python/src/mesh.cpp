@@ -48,12 +48,7 @@ nb::object points_array(const Mesh& mesh, nb::handle owner) {
   const std::span<const Point> points = mesh.parts().points;
   const std::span<const double> z = mesh.z();
   if (z.empty()) return nb::cast(view(points, owner));
-  if (mesh.xyz.empty()) {
-    mesh.xyz.reserve(3 * points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      mesh.xyz.insert(mesh.xyz.end(), {points[i].x, points[i].y, z[i]});
-    }
-  }
+  if (mesh.xyz.empty()) mesh.xyz = interleaved(points, z);
   return nb::cast(view<3>(mesh.xyz, owner));
 }
 
