@@ -13,7 +13,7 @@ QuadKind classify_quad_exactly(Point a, Point b, Point c, Point d) {
                        kernel::orient(c, d, a));
 }
 
-bool split_by_first_diagonal(Point a, Point b, Point c, Point d) {
+bool split_by_first_diagonal_exactly(Point a, Point b, Point c, Point d) {
   return kernel::orient(a, b, c) > 0 && kernel::orient(a, c, d) > 0;
 }
 

@@ -100,7 +100,11 @@ inline QuadKind classify_quad(int at_a, int at_b, int at_c, int at_d) {
 
 /// Whether the diagonal a-c parts a simple quad into two counter-clockwise triangles; else b-d
 /// does.
-bool split_by_first_diagonal(Point a, Point b, Point c, Point d);
+bool split_by_first_diagonal_exactly(Point a, Point b, Point c, Point d);
+inline bool split_by_first_diagonal(Point a, Point b, Point c, Point d) {
+  if (kernel::QuadEdges(a, b, c, d).proven_convex()) return true;  // as nearly all are
+  return split_by_first_diagonal_exactly(a, b, c, d);
+}
 
 /// The quad behind one of its sides.
 ///

@@ -119,13 +119,18 @@ QuadMesh to_quad_mesh(PairedMesh&& mesh) {
   out.faces = large_vector<QuadMesh::Face>(where.count());
   parallel_for(static_cast<TriangleId>(mesh.mate.size()), kBlock, [&](TriangleId t) {
     QuadMesh::Face& face = out.faces[where.face(t)];
-    const HalfedgeId inner = mesh.mate[t];
-    if (inner == kNone) face.corner[3] = face.twin[3] = kNone;
-    for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) {
-      if (g == inner) continue;
+    const auto put = [&](HalfedgeId g) {
       const HalfedgeId side = where.side(g) % 4, twin = mesh.tri.twin[g];
       face.corner[side] = mesh.tri.origin(g);
       face.twin[side] = twin == kNone ? kNone : where.side(twin);
+    };
+    const HalfedgeId inner = mesh.mate[t];
+    if (inner == kNone) {
+      for (HalfedgeId g = 3 * t; g < 3 * t + 3; ++g) put(g);
+      face.corner[3] = face.twin[3] = kNone;
+    } else {
+      put(next_halfedge(inner));
+      put(previous_halfedge(inner));
     }
   });
   out.points = std::move(mesh.tri.points);
