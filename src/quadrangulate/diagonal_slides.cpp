@@ -31,13 +31,8 @@ constexpr float kPoor =
 constexpr float kEnough = 0.7F;      // sums of two shapes that seldom gain
 constexpr float kLeastGain = 1e-5F;  // ends the climb despite rounding in the sums
 
-float worth(Point a, Point b, Point c, Point d) {
-  const kernel::QuadEdges edges(a, b, c, d);
-  if (edges.proven_convex()) {
-    const double worst = edges.worst_squared_cosine();
-    return worst < 1 ? 1 - std::sqrt(static_cast<float>(worst)) : 0;
-  }
-  switch (classify_quad(a, b, c, d)) {
+[[gnu::noinline]] float worth_exactly(Point a, Point b, Point c, Point d) {
+  switch (classify_quad_exactly(a, b, c, d)) {
     case QuadKind::kStrictlyConvex:
       return static_cast<float>(kernel::squareness(a, b, c, d));
     case QuadKind::kFlatCorner:
@@ -48,6 +43,13 @@ float worth(Point a, Point b, Point c, Point d) {
       break;
   }
   return kNotAQuad;
+}
+
+inline float worth(Point a, Point b, Point c, Point d) {
+  const kernel::QuadEdges edges(a, b, c, d);
+  if (!edges.proven_convex()) return worth_exactly(a, b, c, d);
+  const double worst = edges.worst_squared_cosine();
+  return worst < 1 ? 1 - std::sqrt(static_cast<float>(worst)) : 0;
 }
 
 /// At least what the shapes of either of the other partings sum up to, judged by the corners 0 and 3, at which no
