@@ -23,6 +23,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "kernel/predicates_tiers.hpp"
 #include "quadloom/kernel.hpp"
@@ -79,6 +80,15 @@ inline int incircle_filter(Point a, Point b, Point c, Point d) {
 using Pair [[gnu::vector_size(16)]] = double;
 using PairMask [[gnu::vector_size(16)]] = long long;
 
+/// A bit a lane.
+inline unsigned bits(PairMask mask) {
+#ifdef __SSE2__
+  return static_cast<unsigned>(__builtin_ia32_movmskpd((Pair)mask));
+#else
+  return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2));
+#endif
+}
+
 /// What a filter says of two calls: -1 (all bits) in a lane that is proven, inside.
 struct PairVerdict {
   PairMask proven, inside;
@@ -92,10 +102,11 @@ struct PairSigns {
 /// proven_difference for two calls at once.
 inline PairSigns proven_difference(Pair l, Pair r) {
   const Pair det = l - r;
-  const auto magnitude = [](Pair p) { return p < 0 ? -p : p; };
+  const auto magnitude = [](Pair p) {  // without the bit of the sign
+    return (Pair)((PairMask)p & std::numeric_limits<long long>::max());
+  };
   const Pair bound = kCrossError * (magnitude(l) + magnitude(r)) + kCrossUnderflow;
   const PairMask positive = det > bound, negative = -det > bound;
-  const auto bits = [](PairMask m) { return static_cast<unsigned>((m[0] & 1) | (m[1] & 2)); };
   return {bits(positive), bits(negative)};
 }
 

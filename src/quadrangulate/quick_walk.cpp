@@ -7,7 +7,7 @@
 //   1. search      Dijkstra over moves as in walk.cpp, with costs in buckets that are lists of nodes
 //   2. try_ears    five rounded turns at the triangle's far corner tell, without branches, which ears may leave a
 //                  strictly convex quad; these alone are judged exactly, the others only if any quad will do
-//   3. try_goals   a node that is next to a free triangle ends the search when it is made, not when it is
+//   3. try_goal    a node that is next to a free triangle ends the search when it is made, not when it is
 //                  its turn: the walks found cost little more, and half of the nodes are never made
 //   4. apply       re-cuts the pentagons along the way
 //
@@ -41,29 +41,43 @@ std::uint32_t convex_cost(double worst) {
                             : static_cast<std::uint32_t>(kShape));
 }
 
+/// What there is at each corner of a pentagon, around it and nearly around once more, so that sums of indices need no
+/// remainder.
+template <typename T>
+class Around {
+ public:
+  Around(T a, T b, T c, T d, T e) : at_{a, b, c, d, e, a, b, c, d} {}
+  const T& operator[](std::size_t k) const { return at_[k]; }
+
+ private:
+  T at_[9];
+};
+
 /// The pentagon of a free triangle and the quad behind its side a->b, as in paired_mesh.hpp.
 struct Pentagon {
-  std::array<VertexId, 5> corner;
-  std::array<Point, 5> place;
+  Around<VertexId> corner;
+  Around<Point> place;
 
   template <class Mesh, class Quad>
   Pentagon(const Mesh& mesh, VertexId a, VertexId b, VertexId c, const Quad& quad)
-      : corner{b, c, a, mesh.origin(quad.side[1]), mesh.origin(quad.side[2])} {
-    for (std::size_t k = 0; k < 5; ++k) place[k] = mesh.point(corner[k]);
-  }
+      : corner{b, c, a, mesh.origin(quad.side[1]), mesh.origin(quad.side[2])},
+        place{mesh.point(b), mesh.point(c), mesh.point(a), mesh.point(corner[3]),
+              mesh.point(corner[4])} {}
   bool wrapped() const { return corner[1] == corner[3] || corner[1] == corner[4]; }
-  Point at(std::size_t k) const { return place[k % 5]; }
   kernel::QuadEdges without(std::size_t ear) const {
-    return {at(ear + 1), at(ear + 2), at(ear + 3), at(ear + 4)};
+    return {place[ear + 1], place[ear + 2], place[ear + 3], place[ear + 4]};
   }
   bool convex_without(std::size_t ear) const {
-    return classify_quad(at(ear + 1), at(ear + 2), at(ear + 3), at(ear + 4)) ==
+    return classify_quad(place[ear + 1], place[ear + 2], place[ear + 3], place[ear + 4]) ==
            QuadKind::kStrictlyConvex;
+  }
+  PentagonTurns turns() const {
+    return PentagonTurns({place[0], place[1], place[2], place[3], place[4]});
   }
   /// The ears that may leave a strictly convex quad if the quad is one, as bits, judged by rounded turns at c alone:
   /// where b, c, a turn, and on which sides of the diagonals of the quad c is.
   std::uint32_t likely_convex_cuts() const {
-    const auto& [b, c, a, d, e] = place;
+    const Point &b = place[0], &c = place[1], &a = place[2], &d = place[3], &e = place[4];
     const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
     const double dx = d.x - c.x, dy = d.y - c.y, ex = e.x - c.x, ey = e.y - c.y;
     const auto left = [](double p, double q) { return p - q <= 0 ? 0U : 1U; };  // true if unknown
@@ -74,9 +88,7 @@ struct Pentagon {
     return (both & cae) | (both & bcd) << 2 | (at_b & cae) << 3 | (at_a & bcd) << 4;
   }
   /// Of the quad that is left without an ear.
-  double worst_cosine_without(std::size_t ear) const {
-    return kernel::worst_squared_cosine(at(ear + 1), at(ear + 2), at(ear + 3), at(ear + 4));
-  }
+  double worst_cosine_without(std::size_t ear) const { return without(ear).worst_squared_cosine(); }
 };
 
 template <class Mesh>
@@ -131,10 +143,10 @@ void QuickWalker<Mesh>::try_over(HalfedgeId exit, OverQuad& best) {
     if (pentagon.wrapped()) return;
     // The edge to the free triangle goes from corner k to the next; one of the two is the ear.
     const std::size_t k = side + 2;
-    const Point a = pentagon.at(k), b = pentagon.at(k + 1), d = mesh_.point(mesh_.apex(met));
-    const std::uint32_t cuts = PentagonTurns(pentagon.place).convex_cuts();
+    const Point a = pentagon.place[k], b = pentagon.place[k + 1], d = mesh_.point(mesh_.apex(met));
+    const std::uint32_t cuts = pentagon.turns().convex_cuts();
     for (const std::size_t ear : {k, (k + 1) % 5}) {
-      const Point c = pentagon.at(ear == k ? k + 4 : k + 2);
+      const Point c = pentagon.place[ear == k ? k + 4 : k + 2];
       if ((cuts >> ear & 1U) == 0 || !meet_convexly(a, b, c, d)) continue;
       const double worst =
           std::max(pentagon.worst_cosine_without(ear), kernel::worst_squared_cosine(a, d, b, c));
@@ -274,7 +286,12 @@ template <class Mesh>
 void QuickWalker<Mesh>::expand(std::uint32_t from) {
   for (std::size_t i = 0; i < 3; ++i) {
     const HalfedgeId enter = nodes_[from].beyond[i];
-    if (enter != kNone && !mesh_.is_free(Mesh::face_of(enter))) try_ears(from, i);
+    if (enter == kNone || mesh_.is_free(Mesh::face_of(enter))) continue;
+    const std::uint32_t quad = quad_behind(mesh_, enter).name();
+    std::uint32_t& search = search_of_[quad - range_.begin];
+    if (search == searches_) continue;
+    search = searches_;
+    if (may_change(quad)) try_ears(from, i);
   }
 }
 
@@ -283,27 +300,21 @@ void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
   const Node node = nodes_[from];
   const HalfedgeId enter = node.beyond[i];
   const auto quad = quad_behind(mesh_, enter);
-  std::uint32_t& search = search_of_[quad.name() - range_.begin];
-  if (search == searches_) return;
-  search = searches_;
-  if (!may_change(quad.name())) return;
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   const Pentagon pentagon(mesh_, node.corner[i], node.corner[j], node.corner[k], quad);
   if (pentagon.wrapped()) return;
-  const std::array<HalfedgeId, 5> beyond = {node.beyond[j], node.beyond[k],
-                                            mesh_.twin(quad.side[0]), mesh_.twin(quad.side[1]),
-                                            mesh_.twin(quad.side[2])};
+  const Around<HalfedgeId> beyond = {node.beyond[j], node.beyond[k], mesh_.twin(quad.side[0]),
+                                     mesh_.twin(quad.side[1]), mesh_.twin(quad.side[2])};
   const auto cut = [&](std::size_t ear, std::uint32_t cost) {
-    const std::size_t before = (ear + 4) % 5, after = (ear + 1) % 5;
     const Node made = {from,
                        enter,
-                       {pentagon.corner[before], pentagon.corner[ear], pentagon.corner[after]},
-                       {beyond[before], beyond[ear], kNone},
+                       {pentagon.corner[ear + 4], pentagon.corner[ear], pentagon.corner[ear + 1]},
+                       {beyond[ear + 4], beyond[ear], kNone},
                        node.cost + cost,
                        node.rank,
                        kNone,
                        static_cast<int>(ear)};
-    if (leads_on(made)) push(made);
+    push(made);
   };
   std::uint32_t tried = 1U << 1;  // that is where the triangle is
   // A quad that is not strictly convex, or a rounded turn, may mislead here: hence the exact tests.
@@ -311,12 +322,13 @@ void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
     const auto ear = static_cast<std::size_t>(std::countr_zero(ears));
     const kernel::QuadEdges left = pentagon.without(ear);
     if (!left.proven_convex() && !pentagon.convex_without(ear)) continue;
-    if (kernel::orient(pentagon.at(ear + 4), pentagon.at(ear), pentagon.at(ear + 1)) <= 0) continue;
+    const auto& place = pentagon.place;
+    if (kernel::orient(place[ear + 4], place[ear], place[ear + 1]) <= 0) continue;
     tried |= 1U << ear;
     cut(ear, convex_cost(left.worst_squared_cosine()));
   }
   if (quads_ == WalkQuads::kStrictlyConvex) return;
-  const PentagonTurns turns(pentagon.place);
+  const PentagonTurns turns = pentagon.turns();
   for (const std::size_t ear : {0U, 2U, 3U, 4U}) {
     if ((tried >> ear & 1U) != 0 || turns.at(ear) <= 0) continue;
     const QuadKind kind = turns.without(ear);
@@ -328,18 +340,19 @@ void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
   }
 }
 
-template <class Mesh>
-bool QuickWalker<Mesh>::leads_on(const Node& node) const {
-  for (const HalfedgeId enter : node.beyond) {
-    if (enter == kNone) continue;
-    if (mesh_.is_free(Mesh::face_of(enter))) return true;
-    if (search_of_[quad_behind(mesh_, enter).name() - range_.begin] != searches_) return true;
-  }
-  return false;
-}
-
+/// A node of which both sides that are not cut lead nowhere new is left out.
 template <class Mesh>
 void QuickWalker<Mesh>::push(const Node& node) {
+  std::array<bool, 3> meets{};
+  bool leads_on = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const HalfedgeId enter = node.beyond[i];
+    if (enter == kNone) continue;
+    meets[i] = mesh_.is_free(Mesh::face_of(enter));
+    leads_on = leads_on || meets[i] ||
+               search_of_[quad_behind(mesh_, enter).name() - range_.begin] != searches_;
+  }
+  if (!leads_on) return;
   const auto made = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
   std::uint32_t& rank = nodes_[made].rank;
@@ -349,34 +362,31 @@ void QuickWalker<Mesh>::push(const Node& node) {
   nodes_[made].next = bucket;
   bucket = made;
   ++waiting_;
-  try_goals(made);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (meets[i]) try_goal(made, i);
+  }
 }
 
-/// Whether the node's triangle and a free one beside it make a quad.
+/// Whether the node's triangle and the free one beyond its side i make a quad.
 template <class Mesh>
-void QuickWalker<Mesh>::try_goals(std::uint32_t from) {
+void QuickWalker<Mesh>::try_goal(std::uint32_t from, std::size_t i) {
   const Node& node = nodes_[from];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const HalfedgeId enter = node.beyond[i];
-    if (enter == kNone || !mesh_.is_free(Mesh::face_of(enter)) || Mesh::face_of(enter) == start_) {
-      continue;
-    }
-    if (!may_change(Mesh::face_of(enter))) continue;
-    const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
-    const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.apex(enter));
-    std::uint32_t cost = node.cost;
-    if (meet_convexly(a, b, c, d)) {
-      cost += convex_cost(kernel::worst_squared_cosine(a, d, b, c));
-    } else if (quads_ == WalkQuads::kStrictlyConvex) {
-      continue;
-    } else {
-      cost += classify_quad(a, d, b, c) == QuadKind::kFlatCorner ? kFlat : kReflex;
-    }
-    if (cost >= goal_cost_) continue;
-    goal_cost_ = cost;
-    goal_ = from;
-    met_ = enter;
+  const HalfedgeId enter = node.beyond[i];
+  if (Mesh::face_of(enter) == start_ || !may_change(Mesh::face_of(enter))) return;
+  const Point a = mesh_.point(node.corner[i]), b = mesh_.point(node.corner[(i + 1) % 3]);
+  const Point c = mesh_.point(node.corner[(i + 2) % 3]), d = mesh_.point(mesh_.apex(enter));
+  std::uint32_t cost = node.cost;
+  if (meet_convexly(a, b, c, d)) {
+    cost += convex_cost(kernel::worst_squared_cosine(a, d, b, c));
+  } else if (quads_ == WalkQuads::kStrictlyConvex) {
+    return;
+  } else {
+    cost += classify_quad(a, d, b, c) == QuadKind::kFlatCorner ? kFlat : kReflex;
   }
+  if (cost >= goal_cost_) return;
+  goal_cost_ = cost;
+  goal_ = from;
+  met_ = enter;
 }
 
 template <class Mesh>

@@ -77,9 +77,8 @@ class QuickWalker {
   std::uint32_t pop();
   void expand(std::uint32_t from);
   void try_ears(std::uint32_t from, std::size_t i);
-  bool leads_on(const Node& node) const;
   void push(const Node& node);
-  void try_goals(std::uint32_t from);
+  void try_goal(std::uint32_t from, std::size_t i);
   void apply(std::uint32_t end);
   bool try_slides(HalfedgeId edge, std::size_t nodes);
   void step(HalfedgeId enter, int ear);
