@@ -35,6 +35,11 @@ inline constexpr std::uint32_t kNone = 0xffffffffU;
 /// halfedges, and kNone stays free.
 inline constexpr std::size_t kMaxPoints = (std::size_t{1} << 32) / 6 - 16;
 
+/// The other halfedges of a triangle, and the triangle. Sums, since which of the three h is cannot be predicted.
+inline HalfedgeId next_halfedge(HalfedgeId h) { return h + 1 - 3 * HalfedgeId{h % 3 == 2}; }
+inline HalfedgeId previous_halfedge(HalfedgeId h) { return h - 1 + 3 * HalfedgeId{h % 3 == 0}; }
+inline TriangleId triangle_of(HalfedgeId h) { return h / 3; }
+
 /// A triangulation. Triangle t has the corners tri_vertex[3t], tri_vertex[3t + 1], tri_vertex[3t +
 /// 2], counter-clockwise. Halfedge h = 3t + i goes from corner i of t to the next corner and has t
 /// on its left; twin[h] is the same edge in the neighbouring triangle, kNone on the boundary.
@@ -45,13 +50,9 @@ struct Triangulation {
 
   std::size_t triangle_count() const { return tri_vertex.size() / 3; }
   VertexId origin(HalfedgeId h) const { return tri_vertex[h]; }
-  VertexId target(HalfedgeId h) const { return tri_vertex[h % 3 == 2 ? h - 2 : h + 1]; }
-  VertexId apex(HalfedgeId h) const { return tri_vertex[h % 3 == 0 ? h + 2 : h - 1]; }
+  VertexId target(HalfedgeId h) const { return tri_vertex[next_halfedge(h)]; }
+  VertexId apex(HalfedgeId h) const { return tri_vertex[previous_halfedge(h)]; }
 };
-
-inline HalfedgeId next_halfedge(HalfedgeId h) { return h % 3 == 2 ? h - 2 : h + 1; }
-inline HalfedgeId previous_halfedge(HalfedgeId h) { return h % 3 == 0 ? h + 2 : h - 1; }
-inline TriangleId triangle_of(HalfedgeId h) { return h / 3; }
 
 /// A mesh of quadrilaterals, quad q with the corners quad_vertex[4q + 0..3], counter-clockwise, and
 /// the triangles that were left over (none or one, unless a result says otherwise), tri_vertex[3t +

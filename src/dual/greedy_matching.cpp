@@ -42,8 +42,9 @@ void for_triangles(const Triangulation& mesh, const Work& work) {
   parallel_for(static_cast<TriangleId>(mesh.triangle_count()), kBlock, work);
 }
 
-/// The greatest squared cosine of the pair at h, kNever if it is not strictly convex.
+/// The greatest squared cosine of the pair at h, kNever or more if it is not strictly convex.
 float weigh_pair(const Triangulation& mesh, HalfedgeId h) {
+  constexpr float kBeside[] = {kNever, 0};  // a choice that cannot be predicted
   const Point a = mesh.points[mesh.origin(h)], b = mesh.points[mesh.target(h)];
   const Point c = mesh.points[mesh.apex(h)], d = mesh.points[mesh.apex(mesh.twin[h])];
   const kernel::QuadEdges quad(a, d, b, c);
@@ -51,7 +52,7 @@ float weigh_pair(const Triangulation& mesh, HalfedgeId h) {
   bool convex = turns.positive == 3;
   if ((turns.positive | turns.negative) != 3) convex = dual::strictly_convex_pair(a, d, b, c);
   const double worst = quad.worst_squared_cosine();
-  return convex ? (worst < 1 ? static_cast<float>(worst) : 1) : kNever;
+  return (worst < 1 ? static_cast<float>(worst) : 1) + kBeside[convex ? 1 : 0];
 }
 
 /// The weights of the pairs whose smaller halfedge is one of the triangles'. Two passes, since it is a matter of luck
@@ -62,8 +63,7 @@ void weigh_pairs_of(const Triangulation& mesh, TriangleId begin, TriangleId end,
   std::size_t count = 0;
   for (HalfedgeId h = 3 * begin; h < 3 * end; ++h) {
     edges[count] = h;
-    count += mesh.twin[h] > h && mesh.twin[h] != kNone ? 1 : 0;
-    if (mesh.twin[h] == kNone) weight[h] = kNever;
+    count += mesh.twin[h] + 1 > h + 1 ? 1 : 0;  // kNone + 1 is 0
   }
   edges.resize(count);
   for (const HalfedgeId h : edges) weight[h] = weight[mesh.twin[h]] = weigh_pair(mesh, h);
@@ -88,7 +88,7 @@ void put_scarce_first(const Triangulation& mesh, std::vector<float>& weight) {
 
 /// By halfedge.
 std::vector<float> weigh_pairs(const Triangulation& mesh, GreedyOrder order) {
-  auto weight = large_vector<float>(mesh.twin.size());
+  auto weight = large_vector<float>(mesh.twin.size(), kNever);
   parallel_for_blocks(mesh.triangle_count(), kBlock, [&](std::size_t begin, std::size_t end) {
     weigh_pairs_of(mesh, static_cast<TriangleId>(begin), static_cast<TriangleId>(end), weight);
   });

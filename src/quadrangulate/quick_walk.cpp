@@ -300,7 +300,7 @@ void QuickWalker<Mesh>::try_ears(std::uint32_t from, std::size_t i) {
   const Node node = nodes_[from];
   const HalfedgeId enter = node.beyond[i];
   const auto quad = quad_behind(mesh_, enter);
-  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+  const std::size_t j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
   const Pentagon pentagon(mesh_, node.corner[i], node.corner[j], node.corner[k], quad);
   if (pentagon.wrapped()) return;
   const Around<HalfedgeId> beyond = {node.beyond[j], node.beyond[k], mesh_.twin(quad.side[0]),
