@@ -110,7 +110,8 @@ class GreedyMatching {
     for_triangles(mesh_, [&](TriangleId t) {
       if (offer_[t] == kNoOffer) return;
       const HalfedgeId h = edge_of(offer_[t]);
-      matching.mate[t] = triangle_of(h) == t ? h : mesh_.twin[h];
+      const HalfedgeId sides[] = {h, mesh_.twin[h]};  // either, by luck
+      matching.mate[t] = sides[triangle_of(h) == t ? 0 : 1];
     });
     matching.unmatched =
         static_cast<std::size_t>(std::count(offer_.begin(), offer_.end(), kNoOffer));

@@ -81,7 +81,7 @@ std::uint32_t number_all(std::vector<std::uint32_t>& first, const Size& size) {
 class FaceOfTriangles {
  public:
   explicit FaceOfTriangles(const PairedMesh& mesh)
-      : face_(large_vector<FaceId>(mesh.mate.size())), first_(mesh.mate.size()) {
+      : face_(large_vector<FaceId>(mesh.mate.size())), kind_(mesh.mate.size(), 0) {
     const auto other = [&](TriangleId t) {
       return mesh.is_free(t) ? t : triangle_of(mesh.tri.twin[mesh.mate[t]]);
     };
@@ -90,24 +90,24 @@ class FaceOfTriangles {
       if (mesh.is_free(t)) return;
       const bool is_second = other(t) < t;
       if (is_second) face_[t] = face_[other(t)];
-      // The side after the inner one is side 2 of the quad for the first triangle, and side 0 for the second.
-      first_[t] = static_cast<std::uint8_t>((is_second ? 0 : 2) + 4 * (mesh.mate[t] - 3 * t + 1));
+      kind_[t] = static_cast<std::uint8_t>(1 + mesh.mate[t] - 3 * t + (is_second ? 3 : 0));
     });
   }
   FaceId count() const { return count_; }
   FaceId face(TriangleId t) const { return face_[t]; }
   /// The halfedge that takes the place of g; of an inner one: any.
   HalfedgeId side(HalfedgeId g) const {
+    // After the inner halfedge are the sides 2 and 3 of the quad in its first triangle, 0 and 1 in the second.
+    constexpr std::uint8_t kSide[][3] = {{0, 1, 2}, {0, 2, 3}, {3, 0, 2}, {2, 3, 0},
+                                         {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
     const TriangleId t = triangle_of(g);
-    const HalfedgeId after_inner = first_[t] / 4, i = g - 3 * t;
-    const HalfedgeId steps = i >= after_inner ? i - after_inner : i + 3 - after_inner;
-    return 4 * face_[t] + first_[t] % 4 + steps;
+    return 4 * face_[t] + kSide[kind_[t]][g - 3 * t];
   }
 
  private:
   std::vector<FaceId> face_;
   std::vector<std::uint8_t>
-      first_;  // the side of the quad, and four times the corner of the triangle, where it begins
+      kind_;  // 0: free; 1 + i, 4 + i: first or second of a quad, halfedge i is inside
   FaceId count_ = 0;
 };
 
@@ -139,22 +139,23 @@ QuadMesh to_quad_mesh(PairedMesh&& mesh) {
 
 PairedMesh to_paired_mesh(QuadMesh&& mesh) {
   // A quad a, b, c, d becomes a, b, c and c, d, a, or b, c, d and d, a, b.
+  enum Parting : std::uint8_t { kFirstDiagonal, kSecondDiagonal, kNotParted };
+  constexpr std::uint8_t kSide[][4] = {
+      {0, 1, 3, 4}, {4, 0, 1, 3}, {0, 1, 2}};  // after the first halfedge
   auto first = large_vector<TriangleId>(mesh.face_count());
   const TriangleId count = number_all(first, [&](FaceId f) {
     return mesh.is_gone(f) ? 0U : mesh.is_free(f) ? 1U : 2U;
   });
-  std::vector<char> from_second(mesh.face_count(), 0);
+  std::vector<Parting> parting(mesh.face_count(), kNotParted);
   parallel_for(static_cast<FaceId>(mesh.face_count()), kBlock, [&](FaceId f) {
+    if (!mesh.is_quad(f)) return;
     const auto at = [&](std::size_t i) { return mesh.point(mesh.faces[f].corner[i]); };
-    if (mesh.is_quad(f))
-      from_second[f] = split_by_first_diagonal(at(0), at(1), at(2), at(3)) ? 0 : 1;
+    const bool by_first = split_by_first_diagonal(at(0), at(1), at(2), at(3));
+    parting[f] = by_first ? kFirstDiagonal : kSecondDiagonal;
   });
   const auto halfedge = [&](HalfedgeId side) {
     const FaceId f = QuadMesh::face_of(side);
-    const HalfedgeId i = side % 4;
-    if (mesh.is_free(f)) return 3 * first[f] + i;
-    const HalfedgeId along = (i + 4 - static_cast<HalfedgeId>(from_second[f])) % 4;
-    return 3 * first[f] + (along < 2 ? along : along + 1);
+    return 3 * first[f] + kSide[parting[f]][side % 4];
   };
   PairedMesh out;
   reserve_large(out.tri.tri_vertex, 3 * with_room(count));
@@ -169,13 +170,13 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
     const TriangleId t = first[f];
     const std::size_t corners = mesh.is_free(f) ? 3 : 4;
     for (std::size_t i = 0; i < corners; ++i) {
-      const HalfedgeId h = halfedge(4 * f + static_cast<HalfedgeId>(i));
+      const HalfedgeId h = 3 * t + kSide[parting[f]][i];
       out.tri.tri_vertex[h] = face.corner[i];
       out.tri.twin[h] = face.twin[i] == kNone ? kNone : halfedge(face.twin[i]);
     }
     out.mate[t] = kNone;
     if (corners == 3) return;
-    const std::size_t skip = static_cast<std::size_t>(from_second[f]);
+    const std::size_t skip = parting[f] == kFirstDiagonal ? 0 : 1;
     out.tri.tri_vertex[3 * t + 2] = face.corner[(skip + 2) % 4];
     out.tri.tri_vertex[3 * t + 5] = face.corner[skip];
     out.tri.twin[3 * t + 2] = 3 * t + 5;
