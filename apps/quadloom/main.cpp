@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "exit_codes.hpp"
 #include "options.hpp"
@@ -25,12 +28,13 @@ constexpr const char* kFooter =
     "\nExit codes: 0 done; 1 the mesh does not pass the check; 2 usage; 3 a file or what is in\n"
     "it; 4 a guarantee that was asked for is not met.";
 
-// What the library says, but for a verb that is not there.
-std::string sentence(const CLI::ParseError& e, int argc, char** argv) {
-  const bool no_verb = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr && argc > 1;
-  if (no_verb && argv[1][0] != '-' &&
-      std::string_view(e.what()).find("subcommand") != std::string_view::npos) {
-    return fmt::format("there is no command '{}'", argv[1]);
+// What the library says, but for a verb that is not there: the first word that is no option's.
+std::string sentence(const CLI::ParseError& e, const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  const bool no_verb = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr &&
+                       std::string_view(e.what()).find("subcommand") != std::string_view::npos;
+  if (no_verb && !words.empty() && words[0][0] != '-') {
+    return fmt::format("there is no command '{}'", words[0]);
   }
   return e.what();
 }
@@ -54,7 +58,7 @@ int run_command_line(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    fmt::print(stderr, "quadloom: {}; see quadloom --help\n", sentence(e, argc, argv));
+    fmt::print(stderr, "quadloom: {}; see quadloom --help\n", sentence(e, app));
     return kUsage;
   }
   std::optional<ThreadLimit> limit;

@@ -71,7 +71,7 @@ struct Certificate {
 /// once and that every input point is a vertex of it (see docs/algorithms/certify.md). An empty
 /// input asks for no points: every used vertex then counts as an input point. Vertices that no face
 /// uses are not looked at. The first fault found is reported. Throws Error kBadOption for fewer
-/// than three corners. Near-linear.
+/// than three corners, kTooManyPoints for 2^31 vertices or more, as do the others. Near-linear.
 Certificate certify_points(const PolygonMesh& mesh, std::span<const Point> input,
                            const CertifyOptions& options = {});
 
@@ -143,7 +143,8 @@ struct Quality {
 };
 
 /// Faces should be counter-clockwise. A mesh without faces has zeros everywhere. Throws Error
-/// kBadMesh (a face of fewer than three corners), kIndexOutOfRange, kNotFinite. Near-linear.
+/// kBadMesh (a face of fewer than three corners), kIndexOutOfRange, kNotFinite, kTooManyPoints (2^31
+/// vertices). Near-linear.
 Quality measure_quality(const PolygonMesh& mesh);
 /// The same for a surface in space, z one a vertex (empty: as above): lengths and angles are those in
 /// space. What turns in and out, and so which quads are convex, is seen (exactly) in the coordinate

@@ -116,7 +116,7 @@ void check_options(const CertifyOptions& options) {
 
 void require_few_vertices(const PolygonMesh& mesh) {
   if (mesh.points.size() < kMostVertices) return;
-  throw Error(ErrorCode::kTooManyPoints, "certify takes fewer than 2^31 vertices");
+  throw Error(ErrorCode::kTooManyPoints, "a mesh may have fewer than 2^31 vertices");
 }
 
 void report_repeated_edge(const PolygonMesh& mesh, VertexId from, VertexId to, Certificate& out) {

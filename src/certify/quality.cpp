@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "certify/corners.hpp"
 #include "certify/edge_sums.hpp"
 #include "certify/layout.hpp"
 #include "certify/polygon.hpp"
@@ -68,7 +68,6 @@ struct Part {
   std::vector<double> aspect;  // of the quads
   double side_sum = 0;
   double shape_sum = 0;
-  std::exception_ptr error;  // of a face that is none
 };
 
 /// Measures a block of faces.
@@ -203,21 +202,14 @@ void Measure::measure_quad() {
 constexpr std::size_t kFacesOfPart = std::size_t{1} << 14;
 
 std::vector<Part> measure_parts(const PolygonMesh& mesh, kernel::Places places) {
-  std::vector<Part> parts(mesh.face_count() / kFacesOfPart + 1);
-  parallel_for_blocks(mesh.face_count(), kFacesOfPart, [&](std::size_t first, std::size_t last) {
-    Part& part = parts[first / kFacesOfPart];
-    part.aspect.reserve(last - first);
-    Measure measure(mesh, places, part);
-    try {
-      for (std::size_t f = first; f < last; ++f) measure.measure_face(f);
-    } catch (const Error&) {
-      part.error = std::current_exception();
-    }
+  const std::size_t faces = mesh.face_count();
+  std::vector<Part> parts(faces / kFacesOfPart + (faces % kFacesOfPart != 0 ? 1 : 0));
+  parallel_tasks_in_order(parts.size(), [&](std::size_t i) {
+    const std::size_t first = i * kFacesOfPart, last = std::min(faces, first + kFacesOfPart);
+    parts[i].aspect.reserve(last - first);
+    Measure measure(mesh, places, parts[i]);
+    for (std::size_t f = first; f < last; ++f) measure.measure_face(f);
   });
-  if (mesh.face_count() % kFacesOfPart == 0) parts.pop_back();
-  for (const Part& part : parts) {
-    if (part.error) std::rethrow_exception(part.error);
-  }
   return parts;
 }
 
@@ -285,6 +277,7 @@ Quality measure(const PolygonMesh& mesh, std::span<const double> z) {
     throw Error(ErrorCode::kBadMesh, "the heights are not one a vertex");
   }
   if (mesh.face_count() == 0) return {};
+  certify::require_few_vertices(mesh);
   const kernel::Places places{mesh.points, z};
   std::vector<Part> parts = measure_parts(mesh, places);
   Quality out = parts[0].figures;

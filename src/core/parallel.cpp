@@ -1,6 +1,8 @@
 #include "core/parallel.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <vector>
 
 #include "quadloom/core.hpp"
 
@@ -44,6 +46,20 @@ struct ThreadLimit::Control {
 };
 
 #endif
+
+void parallel_tasks_in_order(std::size_t count, const std::function<void(std::size_t)>& task) {
+  std::vector<std::exception_ptr> errors(count);
+  parallel_tasks(count, [&](std::size_t i) {
+    try {
+      task(i);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+}
 
 ThreadLimit::ThreadLimit(std::size_t threads) {
   if (threads == 0) throw Error(ErrorCode::kBadOption, "there must be at least one thread, not 0");

@@ -17,6 +17,10 @@ namespace quadloom {
 /// another one nor report progress.
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& task);
 
+/// The same, but none is left out, and of several exceptions that of the first task comes through, as if the
+/// tasks were done one after the other.
+void parallel_tasks_in_order(std::size_t count, const std::function<void(std::size_t)>& task);
+
 /// Calls work(begin, end) for [0, block), [block, 2 block), ... up to `count`. One block is done at
 /// once, on this thread.
 template <typename Work>

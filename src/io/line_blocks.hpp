@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <exception>
 #include <string_view>
 #include <vector>
 
@@ -26,17 +25,7 @@ std::vector<LineBlock> line_blocks(std::string_view text, std::size_t first_line
 template <class Part, class Read>
 std::vector<Part> read_blocks(const std::vector<LineBlock>& blocks, const Read& read) {
   std::vector<Part> parts(blocks.size());
-  std::vector<std::exception_ptr> errors(blocks.size());
-  parallel_tasks(blocks.size(), [&](std::size_t i) {
-    try {
-      read(blocks[i], parts[i]);
-    } catch (...) {
-      errors[i] = std::current_exception();
-    }
-  });
-  for (const auto& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
+  parallel_tasks_in_order(blocks.size(), [&](std::size_t i) { read(blocks[i], parts[i]); });
   return parts;
 }
 

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -103,27 +102,16 @@ void Output::commit() {
 // Rounds of blocks, so that not the whole file is in memory.
 void Output::blocks(std::size_t count, std::size_t block, const WriteBlock& write_block) {
   constexpr std::size_t kBlocks = 64;
-  struct Part {
-    TextBuffer text;
-    std::exception_ptr error;
-  };
-  std::vector<Part> parts(std::min(kBlocks, count / block + 1));
+  std::vector<TextBuffer> parts(std::min(kBlocks, count / block + 1));
   for (std::size_t begin = 0; begin < count; begin += block * kBlocks) {
-    const std::size_t of_round = std::min(block * kBlocks, count - begin);
-    parallel_for_blocks(of_round, block, [&](std::size_t first, std::size_t last) {
-      Part& part = parts[first / block];
-      part.text.clear();
-      try {
-        write_block(part.text, begin + first, begin + last);
-      } catch (...) {
-        part.error = std::current_exception();
-      }
+    const std::size_t of_round = std::min(kBlocks, (count - begin - 1) / block + 1);
+    parallel_tasks_in_order(of_round, [&](std::size_t i) {
+      const std::size_t first = begin + i * block;
+      parts[i].clear();
+      write_block(parts[i], first, std::min(count, first + block));
     });
     flush();
-    for (std::size_t i = 0; i * block < of_round; ++i) {
-      if (parts[i].error) std::rethrow_exception(parts[i].error);
-      write(parts[i].text.view());
-    }
+    for (std::size_t i = 0; i < of_round; ++i) write(parts[i].view());
   }
 }
 

@@ -95,8 +95,8 @@ void by_search(std::span<const Point> points, const HamiltonianOptions& options,
   result.mesh.twin = strips::match_twins(result.mesh.tri_vertex, points.size());
 }
 
-Triangulation path_instead(std::span<const Point> points) {
-  const ConvexLayers layers = convex_layers(points);
+Triangulation path_instead(std::span<const Point> points, const Progress& progress) {
+  const ConvexLayers layers = convex_layers(points, progress);
   return quadrangulate::to_triangulation(points, quadrangulate::make_serpentine(points, layers));
 }
 
@@ -120,7 +120,7 @@ HamiltonianResult hamiltonian_cycle_triangulation(std::span<const Point> input,
     result.mesh.points = std::move(distinct.points);
   } else {
     result.order = OrderKind::kPath;
-    result.mesh = path_instead(distinct.points);
+    result.mesh = path_instead(distinct.points, options.progress);
   }
   return result;
 }
