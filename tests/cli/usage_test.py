@@ -33,7 +33,8 @@ class Usage(CommandLine):
         self.refuses(2, ["subcommand"])
 
     def test_unknown_verb(self):
-        self.refuses(2, ["pentagonate"], "pentagonate", "x.csv")
+        self.refuses(2, ["no command 'pentagonate'"], "pentagonate", "x.csv")
+        self.refuses(2, ["no command 'pentagonate'"], "--threads", "2", "pentagonate", "x.csv")
 
     def test_unknown_option(self):
         self.refuses(2, ["--fast"], "quadrangulate", "x.csv", "-o", "x.obj", "--fast")

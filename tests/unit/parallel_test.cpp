@@ -91,6 +91,23 @@ TEST(ParallelForBlocks, LeavesNothingOutInsideOfWhatIsCancelled) {
 }
 #endif
 
+TEST(ParallelTasksInOrder, DoAllAndThrowWhatTheFirstThrew) {
+  for (const int threads : {1, 2, 4}) {
+    std::atomic<int> calls = 0;
+    const auto task = [&](std::size_t i) {
+      ++calls;
+      if (i % 10 == 7) throw Error(ErrorCode::kNotFinite, "task", {i});
+    };
+    try {
+      on_threads(threads, [&] { parallel_tasks_in_order(100, task); });
+      FAIL() << "nothing was thrown";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.culprits(), std::vector<std::size_t>{7});
+    }
+    EXPECT_EQ(calls, 100);
+  }
+}
+
 TEST(ParallelFor, CallsEachOnce) {
   for (const std::uint32_t count : {0U, 1U, 99U, 100U, 101U}) {
     std::vector<int> calls(count + 1);
