@@ -22,6 +22,7 @@
 // (delaunay.cpp relies on this for its point at infinity).
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -83,7 +84,7 @@ using PairMask [[gnu::vector_size(16)]] = long long;
 /// A bit a lane.
 inline unsigned bits(PairMask mask) {
 #ifdef __SSE2__
-  return static_cast<unsigned>(__builtin_ia32_movmskpd((Pair)mask));
+  return static_cast<unsigned>(__builtin_ia32_movmskpd(std::bit_cast<Pair>(mask)));
 #else
   return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2));
 #endif
@@ -103,7 +104,7 @@ struct PairSigns {
 inline PairSigns proven_difference(Pair l, Pair r) {
   const Pair det = l - r;
   const auto magnitude = [](Pair p) {  // without the bit of the sign
-    return (Pair)((PairMask)p & std::numeric_limits<long long>::max());
+    return std::bit_cast<Pair>(std::bit_cast<PairMask>(p) & std::numeric_limits<long long>::max());
   };
   const Pair bound = kCrossError * (magnitude(l) + magnitude(r)) + kCrossUnderflow;
   const PairMask positive = det > bound, negative = -det > bound;
