@@ -192,7 +192,10 @@ void bind_thread_limit(nb::module_& m) {
           [](LimitInWith& self, const nb::args&) {
             if (self.within > 0 && --self.within == 0) self.limit.reset();
           },
-          "The limit ends.");
+          "The limit ends.")
+      .def_prop_ro(
+          "holds", [](const LimitInWith& self) { return self.limit != nullptr; },
+          "Whether it is within a ``with``.");
 }
 
 }  // namespace
