@@ -123,8 +123,7 @@ class Mender {
 };
 
 void Mender::find_bad() {
-  constexpr std::size_t kBlock = std::size_t{1} << 15;  // of triangles, for a thread
-  state_.bad = parallel_find(static_cast<TriangleId>(mesh_.mate.size()), kBlock, [&](TriangleId t) {
+  state_.bad = parallel_find(mesh_.mate.size(), [&](TriangleId t) {
     return !mesh_.is_free(t) && state_.name_of_quad(t) == t && state_.is_bad(t);
   });
 }

@@ -6,8 +6,7 @@
 namespace quadloom::convex {
 
 std::vector<QuadId> quads_not_convex(const Quadrangulation& mesh) {
-  constexpr std::size_t kBlock = std::size_t{1} << 15;
-  return parallel_find(static_cast<QuadId>(mesh.quad_count()), kBlock, [&](QuadId q) {
+  return parallel_find(mesh.quad_count(), [&](QuadId q) {
     const auto at = [&](std::size_t i) {
       return mesh.points[mesh.quad_vertex[4 * std::size_t{q} + i]];
     };

@@ -29,9 +29,12 @@ void parallel_for_blocks(std::size_t count, std::size_t block, const Work& work)
   parallel_tasks(count / block + (count % block != 0 ? 1 : 0), std::cref(task));
 }
 
-/// Calls work(i) for each i below `count`, a block at once on this thread.
+inline constexpr std::size_t kPartOfPass = std::size_t{1}
+                                           << 14;  // elements, for a task of a pass over many
+
+/// Calls work(i) for each 32-bit number i below `count`, a block at once on this thread.
 template <typename Work>
-void parallel_for(std::uint32_t count, std::size_t block, const Work& work) {
+void parallel_for(std::size_t count, const Work& work, std::size_t block = kPartOfPass) {
   parallel_for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) work(i);
   });
@@ -39,7 +42,8 @@ void parallel_for(std::uint32_t count, std::size_t block, const Work& work) {
 
 /// Those of the numbers below `count` of which `has` is true, in order.
 template <typename Has>
-std::vector<std::uint32_t> parallel_find(std::uint32_t count, std::size_t block, const Has& has) {
+std::vector<std::uint32_t> parallel_find(std::size_t count, const Has& has,
+                                         std::size_t block = kPartOfPass) {
   std::vector<std::vector<std::uint32_t>> found(count / block + 1);
   parallel_for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {

@@ -35,13 +35,6 @@ constexpr float kNever = 8;  // that or more: worse than any pair
 constexpr std::uint64_t kNoOffer = std::uint64_t{std::bit_cast<std::uint32_t>(kNever)} << 32;
 constexpr float kScarcity = 0.5F;
 
-constexpr std::size_t kBlock = std::size_t{1} << 14;  // of triangles, for a thread
-
-template <typename Work>
-void for_triangles(const Triangulation& mesh, const Work& work) {
-  parallel_for(static_cast<TriangleId>(mesh.triangle_count()), kBlock, work);
-}
-
 /// The greatest squared cosine of the pair at h, kNever or more if it is not strictly convex.
 float weigh_pair(const Triangulation& mesh, HalfedgeId h) {
   constexpr float kBeside[] = {kNever, 0};  // a choice that cannot be predicted
@@ -73,11 +66,11 @@ void weigh_pairs_of(const Triangulation& mesh, TriangleId begin, TriangleId end,
 /// that is a third fewer triangles left over, and after the walks better shapes.
 void put_scarce_first(const Triangulation& mesh, std::vector<float>& weight) {
   std::vector<std::uint8_t> partners(mesh.triangle_count());
-  for_triangles(mesh, [&](TriangleId t) {
+  parallel_for(mesh.triangle_count(), [&](TriangleId t) {
     const auto has = [&](HalfedgeId i) { return weight[3 * t + i] < kNever ? 1 : 0; };
     partners[t] = static_cast<std::uint8_t>(has(0) + has(1) + has(2));
   });
-  for_triangles(mesh, [&](TriangleId t) {
+  parallel_for(mesh.triangle_count(), [&](TriangleId t) {
     for (HalfedgeId h = 3 * t; h < 3 * t + 3; ++h) {
       const HalfedgeId twin = mesh.twin[h];
       const int others = partners[t] + partners[triangle_of(twin == kNone ? h : twin)];
@@ -89,7 +82,7 @@ void put_scarce_first(const Triangulation& mesh, std::vector<float>& weight) {
 /// By halfedge.
 std::vector<float> weigh_pairs(const Triangulation& mesh, GreedyOrder order) {
   auto weight = large_vector<float>(mesh.twin.size(), kNever);
-  parallel_for_blocks(mesh.triangle_count(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_for_blocks(mesh.triangle_count(), kPartOfPass, [&](std::size_t begin, std::size_t end) {
     weigh_pairs_of(mesh, static_cast<TriangleId>(begin), static_cast<TriangleId>(end), weight);
   });
   if (order == GreedyOrder::kShapeAndScarcity) put_scarce_first(mesh, weight);
@@ -107,7 +100,7 @@ class GreedyMatching {
     for (TriangleId t = 0; t < offer_.size(); ++t) propose(t);
     DualMatching matching;
     matching.mate = large_vector<HalfedgeId>(offer_.size(), kNone);
-    for_triangles(mesh_, [&](TriangleId t) {
+    parallel_for(mesh_.triangle_count(), [&](TriangleId t) {
       if (offer_[t] == kNoOffer) return;
       const HalfedgeId h = edge_of(offer_[t]);
       const HalfedgeId sides[] = {h, mesh_.twin[h]};  // either, by luck

@@ -150,7 +150,7 @@ Built build(std::span<const Point> input) {
 
 DelaunayResult delaunay(std::span<const Point> input) {
   Built built = build(input);
-  built.builder.take_points() = {};  // before the result takes its memory
+  built.builder.take_points();  // and lets them go, before the result takes its memory
   DelaunayResult out;
   out.input_to_vertex = std::move(built.input_to_vertex);
   out.mesh.points = kernel::points_by_number(input, out.input_to_vertex, built.vertex.size());

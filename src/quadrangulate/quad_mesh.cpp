@@ -54,21 +54,19 @@ std::array<FaceId, 2> recut_pentagon(QuadMesh& mesh, HalfedgeId enter, int ear) 
 
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 14;  // of triangles or faces, for a thread
-
 /// Numbers what each triangle or face stands for, one after the other: the first of each, and how many in all.
 /// `size` says how many.
 template <typename Size>
 std::uint32_t number_all(std::vector<std::uint32_t>& first, const Size& size) {
   const std::size_t count = first.size();
-  std::vector<std::uint32_t> next((count + kBlock - 1) / kBlock + 1);  // of each block
-  parallel_for_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::uint32_t> next((count + kPartOfPass - 1) / kPartOfPass + 1);  // of each block
+  parallel_for_blocks(count, kPartOfPass, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
-      next[begin / kBlock + 1] += size(i);
+      next[begin / kPartOfPass + 1] += size(i);
   });
   std::partial_sum(next.begin(), next.end(), next.begin());
-  parallel_for_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
-    std::uint32_t at = next[begin / kBlock];
+  parallel_for_blocks(count, kPartOfPass, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t at = next[begin / kPartOfPass];
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
       first[i] = at;
       at += size(i);
@@ -86,7 +84,7 @@ class FaceOfTriangles {
       return mesh.is_free(t) ? t : triangle_of(mesh.tri.twin[mesh.mate[t]]);
     };
     count_ = number_all(face_, [&](TriangleId t) { return other(t) < t ? 0U : 1U; });
-    parallel_for(static_cast<TriangleId>(face_.size()), kBlock, [&](TriangleId t) {
+    parallel_for(face_.size(), [&](TriangleId t) {
       if (mesh.is_free(t)) return;
       const bool is_second = other(t) < t;
       if (is_second) face_[t] = face_[other(t)];
@@ -117,7 +115,7 @@ QuadMesh to_quad_mesh(PairedMesh&& mesh) {
   QuadMesh out;
   const FaceOfTriangles where(mesh);
   out.faces = large_vector<QuadMesh::Face>(where.count());
-  parallel_for(static_cast<TriangleId>(mesh.mate.size()), kBlock, [&](TriangleId t) {
+  parallel_for(mesh.mate.size(), [&](TriangleId t) {
     QuadMesh::Face& face = out.faces[where.face(t)];
     const auto put = [&](HalfedgeId g) {
       const HalfedgeId side = where.side(g) % 4, twin = mesh.tri.twin[g];
@@ -147,7 +145,7 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
     return mesh.is_gone(f) ? 0U : mesh.is_free(f) ? 1U : 2U;
   });
   std::vector<Parting> parting(mesh.face_count(), kNotParted);
-  parallel_for(static_cast<FaceId>(mesh.face_count()), kBlock, [&](FaceId f) {
+  parallel_for(mesh.face_count(), [&](FaceId f) {
     if (!mesh.is_quad(f)) return;
     const auto at = [&](std::size_t i) { return mesh.point(mesh.faces[f].corner[i]); };
     const bool by_first = split_by_first_diagonal(at(0), at(1), at(2), at(3));
@@ -164,7 +162,7 @@ PairedMesh to_paired_mesh(QuadMesh&& mesh) {
   out.tri.tri_vertex.resize(3 * count);
   out.tri.twin.resize(3 * count);
   out.mate.resize(count);
-  parallel_for(static_cast<FaceId>(mesh.face_count()), kBlock, [&](FaceId f) {
+  parallel_for(mesh.face_count(), [&](FaceId f) {
     if (mesh.is_gone(f)) return;
     const QuadMesh::Face& face = mesh.faces[f];
     const TriangleId t = first[f];

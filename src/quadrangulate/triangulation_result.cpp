@@ -25,8 +25,8 @@ TriangleResult to_triangle_result(PairedMesh&& mesh, std::size_t input_vertices)
           sources(mesh.source[t], mesh.source[triangle_of(mesh.tri.twin[h])]));
     }
   }
-  out.mesh = to_quadrangulation(mesh);
   out.z = std::move(mesh.z);
+  out.mesh = to_quadrangulation(std::move(mesh));
   return out;
 }
 

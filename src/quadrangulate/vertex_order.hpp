@@ -28,17 +28,13 @@ class VertexOrder {
   /// Back to the input's order; Steiner points keep their places behind.
   void restore(Quadrangulation& mesh) const {
     for (auto* corners : {&mesh.quad_vertex, &mesh.tri_vertex}) {
-      parallel_for(static_cast<std::uint32_t>(corners->size()), kBlock,
-                   [&](std::uint32_t i) { (*corners)[i] = given((*corners)[i]); });
+      parallel_for(corners->size(), [&](std::uint32_t i) { (*corners)[i] = given((*corners)[i]); });
     }
     const std::vector<Point> along = mesh.points;
-    parallel_for(static_cast<VertexId>(order_.size()), kBlock,
-                 [&](VertexId v) { mesh.points[order_[v]] = along[v]; });
+    parallel_for(order_.size(), [&](VertexId v) { mesh.points[order_[v]] = along[v]; });
   }
 
  private:
-  static constexpr std::size_t kBlock = std::size_t{1} << 15;  // for a thread
-
   std::vector<VertexId> order_;
 };
 

@@ -73,6 +73,14 @@ TEST(ConvexDelaunay, LargeSets) {
   EXPECT_LE(rows.steiner.size(), 26'000U);  // n / 2, a third of the spiral's bound
 }
 
+// The mesh is four long corridors, in which a walk may be as long as the mesh and passes quads twice.
+TEST(ConvexDelaunay, LongCorridors) {
+  const ConvexResult cross =
+      convex_checked(generate_points("cross", 30'000, 6), OddBoundary::kTriangle);
+  EXPECT_TRUE(cross.not_convex.empty());
+  EXPECT_LE(cross.steiner.size(), 10U);  // 3 on sets of 20,000 to 100,000
+}
+
 // Here less effort goes into each bad quad.
 TEST(ConvexDelaunay, VeryLargeSets) {
   const ConvexResult uniform =

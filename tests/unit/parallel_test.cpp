@@ -111,16 +111,17 @@ TEST(ParallelTasksInOrder, DoAllAndThrowWhatTheFirstThrew) {
 TEST(ParallelFor, CallsEachOnce) {
   for (const std::uint32_t count : {0U, 1U, 99U, 100U, 101U}) {
     std::vector<int> calls(count + 1);
-    parallel_for(count, 10, [&](std::uint32_t i) { ++calls[i]; });
+    parallel_for(
+        count, [&](std::uint32_t i) { ++calls[i]; }, 10);
     for (std::uint32_t i = 0; i <= count; ++i) EXPECT_EQ(calls[i], i < count ? 1 : 0);
   }
 }
 
 TEST(ParallelFind, FindsThemInOrder) {
   const auto seventh = [](std::uint32_t i) { return i % 7 == 6; };
-  EXPECT_EQ(parallel_find(0, 10, seventh), std::vector<std::uint32_t>{});
-  EXPECT_EQ(parallel_find(30, 10, seventh), (std::vector<std::uint32_t>{6, 13, 20, 27}));
-  EXPECT_EQ(parallel_find(27, 30, seventh), (std::vector<std::uint32_t>{6, 13, 20}));
+  EXPECT_EQ(parallel_find(0, seventh, 10), std::vector<std::uint32_t>{});
+  EXPECT_EQ(parallel_find(30, seventh, 10), (std::vector<std::uint32_t>{6, 13, 20, 27}));
+  EXPECT_EQ(parallel_find(27, seventh, 30), (std::vector<std::uint32_t>{6, 13, 20}));
 }
 
 TEST(ParallelInvoke, CallsEachOnce) {
